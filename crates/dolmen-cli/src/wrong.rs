@@ -97,7 +97,7 @@ sentences! {
         },
         CheckOfVariant { name } => {
             en: "check has no --variant: it answers the structure as it is and every variant, and `dolmen check PROJECT --full` prints them all, {name} among them",
-            ko: "check에는 --variant가 없다. 현재 상태와 모든 대안을 함께 검토하며 `dolmen check PROJECT --full`이 {name}을(를) 포함한 모든 대안을 보여 준다",
+            ko: "check에는 --variant가 없다. 현 상태와 모든 대안을 함께 검토하며 `dolmen check PROJECT --full`이 {name}을(를) 포함한 모든 대안을 보여 준다",
         },
         StoreThere { path } => {
             en: "{path} is there already: a whole store is written to a new file, so that nothing is lost",
@@ -138,7 +138,7 @@ sentences! {
         },
         DrawingFormat { ending } => {
             en: "a drawing is not written as .{ending}: -o takes an SVG (.svg), which every browser shows, or a PNG (.png)",
-            ko: "도면은 .{ending}(으)로 쓰지 않는다. -o에는 모든 브라우저에서 볼 수 있는 SVG(.svg)나 PNG(.png)를 쓴다",
+            ko: "도면을 .{ending} 형식으로 저장할 수 없다. -o에 지정할 수 있는 형식: 모든 브라우저에서 볼 수 있는 SVG(.svg), PNG(.png)",
         },
         RecordFormat { path } => {
             en: "{path} ends in none of .uff, .unv and .csv, the formats that a record is written in",
@@ -170,7 +170,7 @@ sentences! {
         },
         ReportFormat { ending } => {
             en: "a report is not written as .{ending}: -o takes a page (.html), a document to print (.pdf) or to edit (.docx, .hwpx), or a workbook (.xlsx)",
-            ko: "보고서는 .{ending}(으)로 쓰지 않는다. -o에는 웹 페이지(.html), 인쇄할 문서(.pdf), 편집할 문서(.docx, .hwpx) 또는 통합문서(.xlsx)를 쓴다",
+            ko: "보고서를 .{ending} 형식으로 저장할 수 없다. -o에 지정할 수 있는 형식: 웹 페이지(.html), 인쇄할 문서(.pdf), 편집할 문서(.docx, .hwpx), 통합문서(.xlsx)",
         },
         NoPdf => {
             en: "this dolmen was built without PDF: build it with `--features pdf`, or write a page (.html) and print it from a browser",

@@ -32,7 +32,7 @@ messages! {
         },
         FellBefore { first: String, second: String } => {
             en: "{second} did not act: the structure fell in {first}, of which all of this is.",
-            ko: "{second}은(는) 작용하지 않았다. 구조물이 {first}에서 무너졌으며 이하의 값은 모두 {first}의 것이다.",
+            ko: "{second}은(는) 작용하지 않았다. 구조물이 {first}에서 붕괴하였으며 이하의 값은 모두 {first}의 것이다.",
         },
         NoVerdict { first: String, second: String } => {
             en: "{second} did not act: the run under {first}, of which all of this is, came to no verdict.",

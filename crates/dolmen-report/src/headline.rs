@@ -30,7 +30,7 @@ messages! {
         },
         OwnWeightSamples { word: Both, share: Quantity } => {
             en: "Own weight: {word} (falls in {share} of samples)",
-            ko: "자중: {word}(표본의 {share}에서 전도)",
+            ko: "자중: {word}(표본의 {share}에서 불안정)",
         },
         WeightAndLoadsSamples { word: Both, share: Quantity } => {
             en: "Weight and loads: {word} (at a limit in {share} of samples)",
@@ -172,7 +172,7 @@ messages! {
             en: "with the damage of inspections: {each}",
             ko: "점검에서 확인된 손상 반영: {each}",
         },
-        AsGiven { words: Both } => { en: "As given: {words}", ko: "입력 상태: {words}" },
+        AsGiven { words: Both } => { en: "As given: {words}", ko: "현 상태: {words}" },
         WorseThan { variant: Both, words: Both } => { en: "Variant “{variant}”: {words}", ko: "대안 ‘{variant}’: {words}" },
     }
 }

@@ -18,7 +18,7 @@ messages! {
         },
         FromSurveys { surveys: Vec<String> } => {
             en: "No records to analyse and no stiffness to seek: survey {surveys}.",
-            ko: "분석할 기록도 추정할 강성도 없는 조사: {surveys}.",
+            ko: "분석할 기록이나 강성을 추정할 고유진동수가 없는 조사: {surveys}.",
         },
     }
 }

@@ -30,11 +30,25 @@ fn in_words(project: &Project, warning: &Warning) -> Both {
     paths.dedup();
     Both::of(|language| {
         let mut said = warning.message.text(language);
-        for path in paths.iter().filter(|path| path.contains(['[', '.'])) {
-            if said.contains(path) {
-                said = said.replace(path, &input_words(&project.structure, path, language));
+        for path in &paths {
+            if !said.contains(path) {
+                continue;
             }
+            let words = input_words(&project.structure, path, language);
+            said = match path.contains(['[', '.']) {
+                true => said.replace(path, &words),
+                false => with_item(&said, path, &words),
+            };
         }
         said
     })
+}
+
+/// A list ("inputs: density, links[1].weight") with the item `path` replaced: a bare key may also be a word of the sentence.
+fn with_item(list: &str, path: &str, words: &str) -> String {
+    let items = list.split(", ").map(|item| match item.strip_suffix(path) {
+        Some(head) if head.is_empty() || head.ends_with(": ") => format!("{head}{words}"),
+        _ => item.to_owned(),
+    });
+    items.collect::<Vec<_>>().join(", ")
 }

@@ -269,7 +269,7 @@ fn exact_each_variant_of_a_stack_says_when_it_first_moves() {
     }
     let korean = scratch.briefly("check . --language ko").words();
     assert!(
-        korean.contains("대안 ‘wide’의 거동 시작 가속도는 0.500 g이다(현재 0.333 g): 안정."),
+        korean.contains("대안 ‘wide’의 거동 시작 가속도는 0.500 g이다(현 상태 0.333 g): 안정."),
         "{korean}"
     );
 }

@@ -24,7 +24,7 @@ const KINDS: [(DamageKind, &[&str]); 8] = [
     (DamageKind::Tilt, &["tilt", "기울기", "기울어짐"]),
     (DamageKind::Settlement, &["settlement", "침하"]),
     (DamageKind::Loss, &["loss", "결손", "탈락"]),
-    (DamageKind::Growth, &["growth", "생물 피복", "식생"]),
+    (DamageKind::Growth, &["growth", "생물 피복", "식생", "생물오염"]),
 ];
 
 /// The findings, in the order of the file.

@@ -240,7 +240,7 @@ messages! {
         },
         StoneHasNoSuchShaft { path: String, written: String, share: String } => {
             en: "{path} = {written} is {share} of the link's length: stone makes each link a shaft that tapers evenly, and none has its centre of mass there",
-            ko: "{path} = {written}은(는) 부재 길이의 {share}이다. stone은 각 부재를 고르게 가늘어지는 돌기둥으로 보는데 무게 중심이 그곳인 돌기둥은 없다",
+            ko: "{path} = {written}은(는) 부재 길이의 {share}이다. stone은 각 부재를 고르게 가늘어지는 돌기둥으로 보는데 무게중심이 그곳인 돌기둥은 없다",
         },
         CentroidOfShaft => {
             en: "must be 0.25 to 0.75 of the length, 0.75 left out",

@@ -71,7 +71,7 @@ messages! {
         },
         PeriodsUnlikely { longest: Quantity, largest: Quantity } => {
             en: "the periods of the site's spectrum go up to {longest} s, and it is largest from {largest} s on: earthquakes have no such periods",
-            ko: "부지 스펙트럼의 주기가 {longest} s까지이고 최댓값이 {largest} s에서 시작한다. 이런 주기의 지진동은 없다",
+            ko: "부지 스펙트럼의 주기가 {longest} s까지이고 최댓값이 {largest} s에서 시작한다. 이런 주기의 지반운동은 없다",
         },
         PeriodsInSeconds => {
             en: "periods are in seconds, design spectra are largest at 0.05 to 1.5 s: are these ms?",

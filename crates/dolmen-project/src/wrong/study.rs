@@ -43,7 +43,7 @@ messages! {
         },
         GoesUpToOnly { path: String, peak_g: String } => {
             en: "{path} goes up to {peak_g} g only: nothing falls by shaking that is hardly felt",
-            ko: "{path}의 최댓값이 {peak_g} g에 불과하다. 거의 느껴지지 않는 지진동에는 아무것도 쓰러지지 않는다",
+            ko: "{path}의 최댓값이 {peak_g} g에 불과하다. 거의 느껴지지 않는 지반운동에는 아무것도 쓰러지지 않는다",
         },
         AreTheseG => {
             en: "earthquakes have 0.05 to 2 g, 50 to 2000 gal: are these g, not gal?",

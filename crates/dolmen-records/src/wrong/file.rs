@@ -16,7 +16,7 @@ sentences! {
         },
         Outside { shown } => {
             en: "{shown} lies outside the folder of the project, or leads out of it: copy it into that folder, or give --allow-outside if you trust the project file",
-            ko: "{shown}은(는) 프로젝트 폴더 밖에 있거나 밖으로 이어진다. 프로젝트 폴더에 복사한다. 프로젝트 파일을 믿을 수 있으면 --allow-outside를 준다",
+            ko: "{shown}은(는) 프로젝트 폴더 밖에 있거나 밖으로 이어진다. 프로젝트 폴더에 복사한다. 프로젝트 파일을 믿을 수 있으면 --allow-outside 옵션을 붙인다",
         },
         NotAFile { shown, what } => {
             en: "{shown} is {what}, but only regular files are read: save what it gives to a file, and name that",

@@ -19,11 +19,11 @@ messages! {
     pub(crate) enum Found in "building.findings" {
         FallsTwisting { floor: Sentence, factor: Quantity } => {
             en: "The storey below floor {floor} has the least margin: it would fall by twisting under {factor} times the weight above it.",
-            ko: "여유가 가장 작은 층은 {floor} 바닥 아래이며, 상부 무게의 {factor}배에서 비틀림으로 무너진다.",
+            ko: "여유가 가장 작은 층은 {floor} 바닥 아래층이며, 상부 무게의 {factor}배에서 비틀림으로 붕괴한다.",
         },
         FallsSwaying { floor: Sentence, factor: Quantity } => {
             en: "The storey below floor {floor} has the least margin: it would fall by swaying under {factor} times the weight above it.",
-            ko: "여유가 가장 작은 층은 {floor} 바닥 아래이며, 상부 무게의 {factor}배에서 횡변위로 무너진다.",
+            ko: "여유가 가장 작은 층은 {floor} 바닥 아래층이며, 상부 무게의 {factor}배에서 횡변위로 붕괴한다.",
         },
         LowestFrequency { frequency: Quantity } => {
             en: "The lowest natural frequency is {frequency}.",

@@ -29,7 +29,7 @@ messages! {
         },
         Directions { minor: Quantity, x: Quantity, y: Quantity } => {
             en: "In the least favourable direction of shaking, with the weaker component {minor} of the stronger, the stronger one acts at {x}° from x for the base shear along x and at {y}° for that along y.",
-            ko: "약한 성분이 강한 성분의 {minor}배일 때 가장 불리한 지진 방향은, 강한 성분이 x 방향 밑면전단력에 대하여 x축에서 {x}°, y 방향 밑면전단력에 대하여 {y}°이다.",
+            ko: "약한 성분을 강한 성분의 {minor}배로 볼 때, 밑면전단력이 최대가 되는 강한 성분의 방향은 x 방향 전단력의 경우 x축에서 {x}°, y 방향 전단력의 경우 {y}°이다.",
         },
         Largest => { en: "Largest elastic response, without dampers.", ko: "최대 탄성응답(감쇠기 제외)." },
         LargestMeaning => {
@@ -67,11 +67,11 @@ messages! {
         },
         Simulate => {
             en: "`dolmen simulate` computes it under a motion.",
-            ko: "지진동에 대한 응답은 `dolmen simulate`로 계산할 수 있다.",
+            ko: "지반운동에 대한 응답은 `dolmen simulate`로 계산할 수 있다.",
         },
         GiveDamping => {
             en: "Give the modes damping that the spectrum is for, or compute it under a motion with `dolmen simulate`.",
-            ko: "스펙트럼의 적용 범위에 드는 모드 감쇠비를 입력하거나, `dolmen simulate`로 지진동에 대한 응답을 계산한다.",
+            ko: "스펙트럼의 적용 범위에 드는 모드 감쇠비를 입력하거나, `dolmen simulate`로 지반운동에 대한 응답을 계산한다.",
         },
     }
 }

@@ -9,10 +9,10 @@ use dolmen_work::building::BuildingAnswer;
 messages! {
     /// Floors and storeys.
     pub(crate) enum Storeys in "building.storeys" {
-        Caption => { en: "Floors and the storey below each.", ko: "각 층 바닥과 그 아래 층." },
+        Caption => { en: "Floors and the storey below each.", ko: "바닥과 그 아래층." },
         CaptionMeaning => {
             en: "Stiffness about its centre of rigidity, the eccentricity of that from the centre of mass; λ is the factor on the weight above at which the storey falls.",
-            ko: "강성은 강성 중심에 대한 값이고 편심은 질량 중심에서 강성 중심까지의 거리이다. λ는 그 층이 무너지는 상부 무게의 배수이다.",
+            ko: "강성은 강성 중심에 대한 값이고 편심은 질량중심에서 강성 중심까지의 거리이다. λ는 그 층이 붕괴하는 상부 무게의 배수이다.",
         },
         Floor => { en: "Floor", ko: "층" },
         FallsBy => { en: "falls by", ko: "붕괴 형태" },

@@ -36,7 +36,7 @@ messages! {
         },
         BeyondDrift { ratio: Quantity, limit: Quantity, floor: Sentence, axis: Sentence } => {
             en: "The storey below floor {floor} is beyond its limit in the wind along {axis}: it drifts by {ratio} of its height, {limit} is allowed.",
-            ko: "{axis} 방향 바람에서 {floor} 바닥 아래 층의 층간변위비 {ratio}이(가) 허용값 {limit}을(를) 넘는다.",
+            ko: "{axis} 방향 바람에서 {floor} 바닥 아래층의 층간변위비 {ratio}이(가) 허용값 {limit}을(를) 넘는다.",
         },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room in the wind: it needs {needed} each way and has {has}.",

@@ -19,7 +19,7 @@ messages! {
         },
         Cut { end: Quantity, whole: Quantity } => {
             en: "the run ended before the motion: {end} of its {whole} were run; no verdict. All values are of that part.",
-            ko: "지진동이 끝나기 전에 해석을 마쳐 판정하지 않는다({whole} 중 {end}까지 해석). 모든 값은 그때까지의 것이다.",
+            ko: "지반운동이 끝나기 전에 해석을 마쳐 판정하지 않는다({whole} 중 {end}까지 해석). 모든 값은 그때까지의 것이다.",
         },
         BeyondRoom { damper: Sentence, needed: Quantity, room: Quantity } => {
             en: "damper {damper} is beyond its room: it needs {needed} each way and has {room}. It would meet its stops, which this run does not have, so that all values are too good.",
@@ -31,7 +31,7 @@ messages! {
         },
         Centre { ratio: Quantity, floor: Sentence, direction: Quantity } => {
             en: "the largest drift of a centre of mass is {ratio} of the height of the storey below floor {floor}, {direction}° from x (its outline is not known: corners drift more where it twists; give sides or outline).",
-            ko: "최대 층간변위(질량 중심)는 {floor} 바닥 아래에서 층고의 {ratio}이며 방향은 x축에서 {direction}°이다. 평면 외곽선이 없으며, 비틀리면 모서리의 층간변위가 더 크다(sides 또는 outline 입력 필요).",
+            ko: "최대 층간변위(질량중심)는 {floor} 바닥 아래에서 층고의 {ratio}이며 방향은 x축에서 {direction}°이다. 평면 외곽선이 없으며, 비틀리면 모서리의 층간변위가 더 크다(sides 또는 outline 입력 필요).",
         },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "the building starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
@@ -39,11 +39,11 @@ messages! {
         },
         VerticalLeftOut => {
             en: "the vertical component of the motion, z, does not act: a building of floors knows no vertical shaking.",
-            ko: "지진동의 연직 성분 z는 작용하지 않는다. 층 모델은 연직 진동을 고려하지 않는다.",
+            ko: "지반운동의 연직 성분 z는 작용하지 않는다. 층 모델은 연직 진동을 고려하지 않는다.",
         },
         NoWind => {
             en: "the wind of the file does not blow during the motion; `dolmen check` says what it does.",
-            ko: "지진동 작용 중에는 입력한 바람을 고려하지 않는다. 풍응답은 `dolmen check`에 나온다.",
+            ko: "지반운동 작용 중에는 입력한 바람을 고려하지 않는다. 풍응답은 `dolmen check`에 나온다.",
         },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Top { list: Vec<Sentence> } => {

@@ -18,7 +18,7 @@ messages! {
         Head => { en: "Simulated earthquake", ko: "지진응답 시뮬레이션" },
         Across { damper: String, along: Sentence } => {
             en: "The ground shakes across damper {damper}, which moves along {along}: this run does not show what it does; turn the motion (--turn).",
-            ko: "지진동이 감쇠기 {damper}의 작동 방향({along})과 직각이므로 이 해석은 그 효과를 보여 주지 않는다. 지진동의 방향을 돌려(--turn) 해석한다.",
+            ko: "지반운동이 감쇠기 {damper}의 작동 방향({along})과 직각이므로 이 해석은 그 효과를 보여 주지 않는다. 지반운동의 방향을 돌려(--turn) 해석한다.",
         },
         Base { x: Quantity, x_share: Quantity, x_at: Quantity, y: Quantity, y_share: Quantity, y_at: Quantity } => {
             en: "Shear in the walls of the lowest storey: along x {x} ({x_share} of the weight) at {x_at}, along y {y} ({y_share}) at {y_at}.",
@@ -26,15 +26,15 @@ messages! {
         },
         Torque { torque: Quantity, at: Quantity } => {
             en: "Torque there about the vertical through the centre of all mass: {torque} at {at}.",
-            ko: "전체 질량 중심을 지나는 연직축에 대한 비틀림 모멘트는 {torque}({at})이다.",
+            ko: "전체 질량중심을 지나는 연직축에 대한 비틀림 모멘트는 {torque}({at})이다.",
         },
         TopX => { en: "Displacement of the top floor along x.", ko: "최상층 x 방향 변위." },
         TopY => { en: "Displacement of the top floor along y.", ko: "최상층 y 방향 변위." },
-        TopMeaning => { en: "Its centre of mass, relative to the ground.", ko: "질량 중심의 지반에 대한 변위." },
+        TopMeaning => { en: "Its centre of mass, relative to the ground.", ko: "질량중심의 지반에 대한 변위." },
         Rotation => { en: "Rotation of the top floor.", ko: "최상층의 회전." },
         RotationMeaning => {
             en: "Times the distance from the centre of mass it adds to the displacement.",
-            ko: "질량 중심에서의 거리를 곱한 값이 변위에 더해진다.",
+            ko: "질량중심에서의 거리를 곱한 값이 변위에 더해진다.",
         },
         BaseShear => { en: "Base shear.", ko: "밑면전단력." },
         BaseShearMeaning => { en: "What the walls of the lowest storey carry.", ko: "최하층 벽체가 부담하는 힘." },

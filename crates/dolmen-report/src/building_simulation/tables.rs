@@ -24,7 +24,7 @@ messages! {
         Floors => { en: "Largest motion of each floor.", ko: "각 층의 최대 거동." },
         FloorsMeaning => {
             en: "Displacement of its centre of mass relative to the ground; drift of the storey below it there, at its edges along x and along y, and at its corners in any direction.",
-            ko: "질량 중심의 지반에 대한 변위와, 그 아래 층의 질량 중심, 단부(x, y 방향), 모서리(방향 무관) 층간변위.",
+            ko: "질량중심의 지반에 대한 변위와, 그 아래 층의 질량중심, 단부(x, y 방향), 모서리(방향 무관) 층간변위.",
         },
         NoOutline => { en: "–: the floor has no outline.", ko: "–: 바닥 외곽선이 없음." },
         Floor => { en: "Floor", ko: "층" },

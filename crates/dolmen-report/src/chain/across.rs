@@ -27,7 +27,7 @@ messages! {
         },
         LowestFalls => {
             en: "it does not vibrate in its lowest shape, it falls in it.",
-            ko: "최저차 형상에서는 진동하지 않고 전도된다.",
+            ko: "최저차 형상에서는 진동하지 않고 안정을 잃는다.",
         },
         Taken { joints: Vec<Sentence>, least: Quantity, most: Quantity } => {
             en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times (bed_depth / bed_width)², as of a bed of equal springs, at most 1; {least} to {most} of it. Give stiffness_across, or measure frequencies in y.",
@@ -48,7 +48,7 @@ messages! {
         },
         NoOneStone => {
             en: "Limits from weights and lengths hold in both directions; what lowering centres of mass does, and the pole as one stone, are those of the direction of motion.",
-            ko: "무게와 길이로 정한 한계는 두 방향에 공통이며, 무게 중심을 낮춘 효과와 단일 부재 당간의 값은 운동 방향의 것이다.",
+            ko: "무게와 길이로 정한 한계는 두 방향에 공통이며, 무게중심을 낮춘 효과와 단일 부재 당간의 값은 운동 방향의 것이다.",
         },
         Head => { en: "Across, direction y", ko: "직각 방향(y)" },
         Meaning => {

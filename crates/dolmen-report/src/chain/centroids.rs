@@ -13,25 +13,25 @@ const EFFECTS_DRAWN: usize = 4;
 messages! {
     /// Lower centres of mass.
     pub(crate) enum Centroids in "chain.centroids" {
-        Head => { en: "What lowering a centre of mass does", ko: "무게 중심을 낮춘 효과" },
+        Head => { en: "What lowering a centre of mass does", ko: "무게중심을 낮춘 효과" },
         Drawn { link: usize, change: Quantity } => {
             en: "Link {link} lowered by {change}.",
-            ko: "부재 {link}의 무게 중심을 {change} 낮춘 경우.",
+            ko: "부재 {link}의 무게중심을 {change} 낮춘 경우.",
         },
         Caption { changes: Vec<Quantity>, unit: Sentence } => {
             en: "Published k_cr with one centre of mass changed by {changes}, {unit}.",
-            ko: "무게 중심 하나를 {changes} 바꾼 경우의 발표된 k_cr, {unit}.",
+            ko: "무게중심 하나를 {changes} 바꾼 경우의 발표된 k_cr, {unit}.",
         },
         CaptionMeaning => {
             en: "↑ marks those that rise although lowering can only help; the exact need of equal joints and λ show it.",
-            ko: "낮추면 항상 유리한데도 커지는 값을 ↑로 표시하였다. 동일 강성의 정확한 한계와 λ는 모두 개선된다.",
+            ko: "낮추면 항상 유리한데도 커지는 값을 ↑로 표시하였다. 모든 접합면의 강성이 같을 때의 정확한 한계와 λ는 모두 개선된다.",
         },
         Lowered => { en: "Link lowered", ko: "낮춘 부재" },
         Critical { joint: usize } => { en: "k_cr {joint}", ko: "k_cr {joint}" },
         Joint => { en: "joint", ko: "접합면" },
         PublishedChange => { en: "change of the published k_cr", ko: "발표된 k_cr의 변화" },
         ExactChange => { en: "change of the exact limit M", ko: "정확한 한계 M의 변화" },
-        Equal => { en: "equal joints", ko: "동일 강성" },
+        Equal => { en: "equal joints", ko: "동일 강성 시 필요값" },
         LoadFactor => { en: "λ", ko: "λ" },
         None => { en: "none", ko: "없음" },
         Link { link: usize, change: Quantity } => { en: "link {link} ({change})", ko: "부재 {link} ({change})" },

@@ -24,7 +24,7 @@ messages! {
         },
         Weakest { joint: usize, below: Sentence, margin: Quantity, may_lose: Quantity } => {
             en: "Joint {joint}{below} has the least margin: {margin} times the stiffness at which the chain would just stand, the others as they are. It may lose {may_lose} of its stiffness before the chain falls.",
-            ko: "지배 접합면은 접합면 {joint}{below}이다. 다른 접합면을 그대로 둘 때 안정 한계 강성의 {margin}배이며, 강성이 {may_lose} 저하되면 전도된다.",
+            ko: "지배 접합면은 접합면 {joint}{below}이다. 다른 접합면을 그대로 둘 때 안정 한계 강성의 {margin}배이며, 강성이 {may_lose} 저하되면 안정을 잃는다.",
         },
         Below(part: String) => { en: " (below ‘{part}’)", ko: "(‘{part}’ 하부)" },
         Unnamed => { en: "", ko: "" },
@@ -34,7 +34,7 @@ messages! {
         },
         Unsafe(need: Sentence) => {
             en: "The published critical stiffness k_cr is unsafe: it sets each diagonal term of the stiffness matrix to zero; a symmetric matrix with zero diagonal and non-zero off-diagonals is indefinite, so a pole with those stiffnesses falls; {need}.",
-            ko: "발표된 임계강성 k_cr은 안전측이 아니다. 강성행렬의 대각항을 모두 0으로 두는데, 대각항이 0이고 비대각항이 0이 아닌 대칭행렬은 음의 강성을 가지므로 그 강성을 가진 당간은 전도된다. {need}.",
+            ko: "발표된 임계강성 k_cr은 안전측이 아니다. 강성행렬의 대각항을 모두 0으로 두는데, 대각항이 0이고 비대각항이 0이 아닌 대칭행렬은 음의 강성을 가지므로 그 강성을 가진 당간은 안정하지 않다. {need}.",
         },
         NeedTimes(factor: Quantity) => {
             en: "the joints need {factor} times as much",
@@ -54,7 +54,7 @@ messages! {
         },
         PassesPublished => {
             en: "Every given stiffness is above the published k_cr, and yet the chain falls.",
-            ko: "주어진 강성이 모두 발표된 k_cr보다 크지만 그래도 전도된다.",
+            ko: "주어진 강성이 모두 발표된 k_cr보다 크지만 안정하지 않다.",
         },
         NoFrequencies => {
             en: "Natural frequencies are unknown: they need the stiffness of the joints.",
@@ -62,7 +62,7 @@ messages! {
         },
         LowestFalls => {
             en: "It does not vibrate in its lowest shape, it falls in it.",
-            ko: "최저차 형상에서는 진동하지 않고 전도된다.",
+            ko: "최저차 형상에서는 진동하지 않고 안정을 잃는다.",
         },
         LowestMode(frequency: Quantity) => {
             en: "Its lowest natural frequency is {frequency} (undamped, on the stiffness above).",
@@ -70,7 +70,7 @@ messages! {
         },
         Lowering { joint: usize, rise: Quantity, link: usize, change: Quantity } => {
             en: "Lowering a centre of mass can only help: no exact limit rises. By the published criterion k_cr of joint {joint} would rise by {rise} when that of link {link} is lowered by {change}: an artefact of that criterion.",
-            ko: "무게 중심을 낮추면 항상 유리하며 정확한 한계는 어느 것도 커지지 않는다. 발표된 기준으로는 접합면 {joint}의 k_cr이 {rise} 커지는데(부재 {link}의 무게 중심을 {change} 낮춘 경우), 이는 그 기준의 오류이다.",
+            ko: "무게중심을 낮추면 항상 유리하며 정확한 한계는 어느 것도 커지지 않는다. 발표된 기준으로는 접합면 {joint}의 k_cr이 {rise} 커지는데(부재 {link}의 무게중심을 {change} 낮춘 경우), 이는 그 기준의 오류이다.",
         },
     }
 }

@@ -40,7 +40,7 @@ messages! {
         },
         Eigenvalues { eigenvalues: Values, equal: Quantity } => {
             en: "The stiffness matrix with the published k_cr has the eigenvalues {eigenvalues}: each negative one is a shape in which the chain falls. If all joints are equal, each needs more than {equal}.",
-            ko: "발표된 k_cr로 만든 강성행렬의 고유값은 {eigenvalues}이다. 음의 고유값마다 그 형상으로 전도된다. 모든 접합면이 같다면 각각 {equal}보다 커야 한다.",
+            ko: "발표된 k_cr로 만든 강성행렬의 고유값은 {eigenvalues}이다. 음의 고유값마다 그 형상으로 안정을 잃는다. 모든 접합면이 같다면 각각 {equal}보다 커야 한다.",
         },
     }
 }

@@ -13,7 +13,7 @@ messages! {
         },
         CaptionMeaning => {
             en: "Least k is where the chain just stands, the other joints as they are; lean is rotation under gravity per unit of an initial common tilt.",
-            ko: "최소 k는 다른 접합면을 그대로 둔 안정 한계 강성이고, 기울기 증폭은 초기 공통 기울기에 대한 중력 작용 후 회전의 비이다.",
+            ko: "최소 k는 다른 접합면을 그대로 둔 안정 한계 강성이고, 기울기 증폭은 모든 부재에 같은 초기 기울기를 주었을 때 중력이 작용한 뒤의 회전각과 초기 기울기의 비이다.",
         },
         Joint => { en: "Joint", ko: "접합면" },
         Number(number: usize) => { en: "{number}", ko: "{number}" },
@@ -22,8 +22,8 @@ messages! {
         Margin => { en: "margin", ko: "여유도" },
         Lean => { en: "lean of the link", ko: "기울기 증폭" },
         Uplift => { en: "uplift moment N·b/2", ko: "들림 모멘트 N·b/2" },
-        UpliftTilt => { en: "tilt at which it is reached", ko: "도달 기울기" },
-        Falls => { en: "falls", ko: "전도" },
+        UpliftTilt => { en: "tilt at which it is reached", ko: "들림 한계 기울기" },
+        Falls => { en: "falls", ko: "불안정" },
         Tilt(inverse: Quantity) => { en: "1/{inverse}", ko: "1/{inverse}" },
         Dunkerley { needed: Quantity, least: Quantity, most: Quantity } => {
             en: "All stiffnesses could be multiplied by 1/λ = {needed} and the chain would just stand; by hand, this factor lies between max M/k = {least} and Σ M/k = {most} (Dunkerley).",

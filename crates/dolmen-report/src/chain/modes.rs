@@ -27,7 +27,7 @@ messages! {
         Number => { en: "Mode", ko: "모드" },
         Nth { number: usize } => { en: "{number}", ko: "{number}" },
         Frequency => { en: "f", ko: "f" },
-        Falls => { en: "falls", ko: "전도" },
+        Falls => { en: "falls", ko: "불안정" },
         Link { number: usize } => { en: "link {number}", ko: "부재 {number}" },
         Mode { number: usize } => { en: "mode {number}", ko: "모드 {number}" },
     }

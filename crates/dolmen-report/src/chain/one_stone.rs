@@ -36,7 +36,7 @@ messages! {
         Shafts => { en: "The shafts that the links are taken as, m.", ko: "각 부재를 본 돌기둥의 치수, m." },
         ShaftsMeaning => {
             en: "Each tapers evenly and has the weight, the length and the centre of mass of its link; square where no breadth is given.",
-            ko: "각각 고르게 가늘어지며 부재의 무게, 길이, 무게 중심을 갖는다. 폭이 없으면 정사각형이다.",
+            ko: "각각 고르게 가늘어지며 부재의 무게, 길이, 무게중심을 갖는다. 폭이 없으면 정사각형이다.",
         },
         Link => { en: "Link", ko: "부재" },
         Length => { en: "length", ko: "길이" },

@@ -16,7 +16,7 @@ messages! {
         },
         CountedAndNeeded { count: usize, without: Quantity } => {
             en: "It leans on its side supports without a gap ({count}): without them the load factor is {without} and it would fall. Are they tight, and do they bear the force? Limits from weights and lengths alone do not count them.",
-            ko: "간격 없는 측면 지지(지주) {count}개에 기대어 있다. 지지가 없으면 하중배율이 {without}으로 전도된다. 밀착 여부와 내력을 확인해야 한다. 무게와 길이만으로 구한 한계에는 반영하지 않았다.",
+            ko: "간격 없는 측면 지지(지주) {count}개에 기대어 있다. 지지가 없으면 하중배율이 {without}(으)로 불안정하다. 밀착 여부와 내력을 확인해야 한다. 무게와 길이만으로 구한 한계에는 반영하지 않았다.",
         },
         CountedAlone { count: usize } => {
             en: "Side supports without a gap ({count}) hold it too, once the stiffness of its joints is known; limits from weights and lengths alone do not count them.",

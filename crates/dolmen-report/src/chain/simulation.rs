@@ -26,7 +26,7 @@ messages! {
         Openings => { en: "When the joint below each link was open.", ko: "부재 아래 접합면이 벌어진 시각." },
         OpeningsMeaning => {
             en: "Its moment is then half the width of its bed times the weight above it.",
-            ko: "이때 접합면 모멘트는 상부 하중과 밑면 폭 절반의 곱이다.",
+            ko: "이때 접합면 모멘트는 상부 하중과 접합면 폭 절반의 곱이다.",
         },
         Slips => {
             en: "When the joint below each link turned against its friction.",

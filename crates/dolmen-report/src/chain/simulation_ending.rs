@@ -66,7 +66,7 @@ messages! {
         },
         Leans { survey: String, tilt: String, lean: Quantity } => {
             en: "It leans as survey {survey} found it, tilt {tilt}, in the plane of the motion by all directions together: {lean}; as_surveyed = \"none\" leaves that out.",
-            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. 방향별 값을 합성하여 지진동 방향으로 {lean} 기운 것으로 보았다. 제외하려면 as_surveyed = \"none\"으로 한다.",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. 방향별 값을 합성하여 지반운동 방향으로 {lean} 기운 것으로 보았다. 제외하려면 as_surveyed = \"none\"으로 한다.",
         },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. as_surveyed = \"{survey}\" takes it over.",
@@ -86,13 +86,13 @@ messages! {
         },
         VerticalLeftOut => {
             en: "The vertical component of the motion, z, does not act: a chain turns in one plane, and its beds bear what they bear at rest. Shaking upwards takes from that.",
-            ko: "지진동의 연직 성분 z는 작용하지 않는다. 체인 모델은 한 평면에서 회전하며 접합면의 축력은 정적 상태의 값이다. 연직 진동은 그 축력을 줄일 수 있다.",
+            ko: "지반운동의 연직 성분 z는 작용하지 않는다. 체인 모델은 한 평면에서 회전하며 접합면의 축력은 정적 상태의 값이다. 연직 진동은 그 축력을 줄일 수 있다.",
         },
         WordStood => { en: "stood", ko: "안정 유지" },
         WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
         WordFell => { en: "fell", ko: "전도" },
         WordLeaning => { en: "still leaning: no verdict", ko: "회전 진행 중, 판정 불가" },
-        WordCut => { en: "ended before the motion: no verdict", ko: "지진동보다 먼저 종료, 판정 불가" },
+        WordCut => { en: "ended before the motion: no verdict", ko: "지반운동보다 먼저 종료, 판정 불가" },
         WordStopped => { en: "stopped: no verdict", ko: "중단, 판정 불가" },
     }
 }

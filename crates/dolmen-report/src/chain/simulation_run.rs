@@ -44,11 +44,11 @@ messages! {
         },
         OneHeld { joints: usize, beds: Vec<Sentence> } => {
             en: "1 of {joints} joints has no bed that can open (no bed_width, or opening = \"held\") and passes any moment here. The bed it would take, 2 M/N: {beds}.",
-            ko: "접합면 {joints}개 중 1개는 벌어지지 않으며(bed_width가 없거나 opening = \"held\") 어떤 모멘트든 전달한다. 필요한 밑면 폭 2M/N: {beds}.",
+            ko: "접합면 {joints}개 중 1개는 벌어지지 않으며(bed_width가 없거나 opening = \"held\") 어떤 모멘트든 전달한다. 필요한 접합면 폭 2M/N: {beds}.",
         },
         Held { held: usize, joints: usize, beds: Vec<Sentence> } => {
             en: "{held} of {joints} joints have no bed that can open (no bed_width, or opening = \"held\") and pass any moment here. The beds they would take, 2 M/N: {beds}.",
-            ko: "접합면 {joints}개 중 {held}개는 벌어지지 않으며(bed_width가 없거나 opening = \"held\") 어떤 모멘트든 전달한다. 필요한 밑면 폭 2M/N: {beds}.",
+            ko: "접합면 {joints}개 중 {held}개는 벌어지지 않으며(bed_width가 없거나 opening = \"held\") 어떤 모멘트든 전달한다. 필요한 접합면 폭 2M/N: {beds}.",
         },
         Bed { name: String, width: Quantity } => { en: "‘{name}’ {width}", ko: "‘{name}’ {width}" },
         Opened(joints: Vec<Sentence>) => {

@@ -14,7 +14,7 @@ messages! {
         Joints => { en: "What the joints are.", ko: "접합면의 모델." },
         JointsMeaning => {
             en: "A bed comes to its edge at N·b/2, half its width times the weight above; a joint that is held never opens.",
-            ko: "전도 모멘트는 상부 하중과 밑면 폭 절반의 곱 N·b/2이며, ‘벌어지지 않음’은 벌어지지 않는 것으로 가정한 접합면이다.",
+            ko: "전도 모멘트는 상부 하중과 접합면 폭 절반의 곱 N·b/2이며, ‘벌어지지 않음’은 벌어지지 않는 것으로 가정한 접합면이다.",
         },
         Joint => { en: "Joint below", ko: "접합면 (부재 하부)" },
         Spring => { en: "spring", ko: "스프링" },
@@ -43,7 +43,7 @@ messages! {
         Open => { en: "open", ko: "벌어진 시간" },
         Slipped => { en: "slipped", ko: "누적 마찰 회전" },
         AtTheEnd => { en: "at the end", ko: "종료 시" },
-        Versions => { en: "The same motion, each version of the structure.", ko: "동일 지진동에 대한 비교." },
+        Versions => { en: "The same motion, each version of the structure.", ko: "동일 지반운동에 대한 비교." },
         VersionsMeaning => {
             en: "Of one that fell, up to the fall.",
             ko: "전도된 경우는 전도 시점까지의 값이다.",

@@ -31,7 +31,7 @@ messages! {
         },
         Unchanged { from: String, to: String, tested: usize, known: Sentence, least: Quantity, power: Quantity } => {
             en: "From survey {from} to {to} no change was shown in {tested} of {known}. A change of {least} would have been seen with {power} probability; smaller ones could have been missed.",
-            ko: "{from} 조사에서 {to} 조사까지 {known} 중 비교한 {tested}개에서 변화가 확인되지 않았다. {least}의 변화는 {power}의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
+            ko: "{from} 조사에서 {to} 조사까지 {known} 중 비교한 {tested}개에서 변화가 확인되지 않았다. {least}의 변화는 {power}의 확률로 검출되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
         },
         Changed { from: String, to: String, changed: usize, tested: Sentence, alpha: Quantity, each: Vec<Sentence> } => {
             en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together); the largest: {each}.",

@@ -12,7 +12,7 @@ messages! {
         Caption => { en: "Frequencies, ± standard deviation.", ko: "고유진동수, ± 표준편차." },
         Meaning { power: Quantity } => {
             en: "The change is relative and without what temperature explains, ± the half width of its 95 % interval; p is the probability of such a change by chance alone, p of all that any of these changes would look so by chance (Holm); changes from “seen from” on are found with {power} probability; stiffness: its change, were it alike everywhere.",
-            ko: "변화는 기온의 영향을 뺀 상대 변화와 95 % 신뢰구간의 반폭이다. p는 우연만으로 이러한 변화가 나타날 확률, 전체 p는 모든 모드 중 하나라도 그렇게 나타날 확률(Holm)이며, 발견 가능은 {power}의 확률로 발견되는 최소 변화, 강성은 전체가 같은 비율로 변하였다고 볼 때의 변화이다.",
+            ko: "변화는 기온의 영향을 뺀 상대 변화와 95 % 신뢰구간의 반폭이다. p는 우연만으로 이러한 변화가 나타날 확률, 전체 p는 모든 모드 중 하나라도 그렇게 나타날 확률(Holm)이며, 검출 한계는 {power}의 확률로 검출되는 최소 변화, 강성은 전체가 같은 비율로 변하였다고 볼 때의 변화이다.",
         },
         Mode => { en: "Mode", ko: "모드" },
         NumberAccepted { number: usize } => { en: "{number} (accepted)", ko: "{number}(채택)" },
@@ -23,7 +23,7 @@ messages! {
         Change => { en: "change", ko: "변화" },
         Half => { en: "± 95 %", ko: "± 95 %" },
         ChanceOfAll => { en: "p of all", ko: "전체 p" },
-        SeenFrom => { en: "seen from", ko: "발견 가능" },
+        SeenFrom => { en: "seen from", ko: "검출 한계" },
         Stiffness => { en: "stiffness", ko: "강성" },
         Fell { frequency: Quantity, by: Quantity, half: Quantity, stiffness: Quantity, stiffness_half: Quantity } => {
             en: "{frequency} fell by {by} ± {half}: {stiffness} ± {stiffness_half} of stiffness, if it changed alike everywhere and no mass did.",
@@ -39,7 +39,7 @@ messages! {
         },
         Detectable { least: Quantity, power: Quantity } => {
             en: "A change of {least} of any one frequency would have been seen with {power} probability; smaller ones could have been missed.",
-            ko: "어느 한 고유진동수라도 {least} 변하였다면 {power}의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
+            ko: "어느 한 고유진동수라도 {least} 변하였다면 {power}의 확률로 검출되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
         },
     }
 }

@@ -16,23 +16,23 @@ messages! {
         },
         All { surveys: usize, first: String, last: String } => {
             en: "Weather and scatter in this are those of all {surveys} surveys ({first} to {last}), as in `dolmen watch`.",
-            ko: "기온의 영향과 흩어짐은 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다.",
+            ko: "기온의 영향과 산포은 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다.",
         },
         Some { surveys: usize, first: String, last: String, modes: usize, all: usize } => {
             en: "Weather and scatter of {modes} of {all} frequencies are those of all {surveys} surveys ({first} to {last}), as in `dolmen watch`; the others, which fewer surveys show, are compared from these two alone.",
-            ko: "고유진동수 {all}개 중 {modes}개는 기온의 영향과 흩어짐을 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다. 나머지는 확인된 조사가 적어 두 조사만으로 비교하였다.",
+            ko: "고유진동수 {all}개 중 {modes}개는 기온의 영향과 산포을 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다. 나머지는 확인된 조사가 적어 두 조사만으로 비교하였다.",
         },
         Lasting { each: Vec<Sentence> } => {
             en: "These are two dates; what lasts between them, by all surveys: {each}.",
-            ko: "이 비교는 두 시점의 차이이다. 전체 조사로 본 그 사이의 지속적인 변화: {each}.",
+            ko: "위의 값은 두 시점만 비교한 것이다. 전체 조사로 본 그 사이의 지속적인 변화: {each}.",
         },
         Nothing => {
             en: "These are two dates; by all surveys nothing lasting changed between them.",
-            ko: "이 비교는 두 시점의 차이이다. 전체 조사로 보면 그 사이에 지속적인 변화는 없다.",
+            ko: "위의 값은 두 시점만 비교한 것이다. 전체 조사로 보면 그 사이에 지속적인 변화는 없다.",
         },
         Unread { each: Vec<Sentence> } => {
             en: "Other surveys whose records cannot be used are left out of the weather and the scatter: {each}.",
-            ko: "기록을 쓸 수 없어 기온의 영향과 흩어짐의 추정에서 뺀 다른 조사: {each}.",
+            ko: "기록을 쓸 수 없어 기온의 영향과 산포의 추정에서 뺀 다른 조사: {each}.",
         },
         UnreadOne { survey: String, why: Both } => { en: "{survey} ({why})", ko: "{survey}({why})" },
         UnreadMore { count: usize } => { en: "{count} more", ko: "그 밖 {count}회" },
@@ -51,11 +51,11 @@ messages! {
         Others { count: usize } => { en: "{count} more (`dolmen watch`)", ko: "그 밖에 {count}건(`dolmen watch`)" },
         Line { mode: usize, per_c: Quantity, scatter: Quantity, surveys: usize } => {
             en: "Mode {mode}: {per_c} per °C (± standard deviation), from {surveys} surveys together with all lasting changes; beyond the noise of its reading one survey scatters by {scatter}.",
-            ko: "모드 {mode}: 1 °C당 {per_c}(± 표준편차). 조사 {surveys}회에서 지속적인 변화와 함께 추정하였다. 측정 오차 외에 조사마다 {scatter}만큼 흩어진다.",
+            ko: "모드 {mode}: 1 °C당 {per_c}(± 표준편차). 조사 {surveys}회에서 지속적인 변화와 함께 추정하였다. 측정 오차를 제외한 조사 간 산포는 {scatter}이다.",
         },
         NoLine { mode: usize, scatter: Quantity, surveys: usize } => {
             en: "Mode {mode}: from {surveys} surveys; beyond the noise of its reading one survey scatters by {scatter}.",
-            ko: "모드 {mode}: 조사 {surveys}회에서 추정하였다. 측정 오차 외에 조사마다 {scatter}만큼 흩어진다.",
+            ko: "모드 {mode}: 조사 {surveys}회에서 추정하였다. 측정 오차를 제외한 조사 간 산포는 {scatter}이다.",
         },
     }
 }

@@ -12,8 +12,8 @@ messages! {
     /// The part that explains a change.
     pub(crate) enum Parted in "change.parts" {
         One { part: Sentence, factor: Quantity, low: Quantity, high: Quantity, count: usize, next: Sentence, chance: Sentence } => {
-            en: "If the model is right and one part alone changed, it is {part}: {factor} of its stiffness is left (95 %: {low} to {high}; frequencies: {count}). The next best, {next}, fits with {chance}. Look there first.",
-            ko: "모델이 옳고 한 부위만 변하였다면 {part}이며 강성은 이전의 {factor}이다(95 % 구간 {low}–{high}, 고유진동수 {count}개). 그다음으로 잘 맞는 {next}의 유의확률은 {chance}이다. 이곳을 먼저 점검한다.",
+            en: "If the model is right and one part alone changed, it is {part}: {factor} of its stiffness is left (95 %: {low} to {high}; frequencies: {count}). Inspect it first. The next best, {next}, fits with {chance}.",
+            ko: "모델이 옳고 한 부위만 변하였다면 {part}이며 강성은 이전의 {factor}이다(95 % 구간 {low}–{high}, 고유진동수 {count}개). 이 부위를 먼저 점검한다. 그다음으로 잘 맞는 부위는 {next}(유의확률 {chance})이다.",
         },
         Several { parts: Vec<Sentence>, count: usize } => {
             en: "If the model is right and one part alone changed, it cannot be told which by its frequencies (compared: {count}); these explain it alike: {parts}.",
@@ -56,7 +56,7 @@ messages! {
         PartHead => { en: "part", ko: "부위" },
         FactorHead => { en: "stiffness left", ko: "남은 강성" },
         IntervalHead => { en: "95 %", ko: "95 %" },
-        AllParts => { en: "all alike", ko: "전체 동일" },
+        AllParts => { en: "all alike", ko: "전체가 같은 비율로 변화" },
         Chance(value: Quantity) => { en: "p = {value}", ko: "{value}" },
         Below(bound: Quantity) => { en: "< {bound}", ko: "{bound} 미만" },
         NoChance(bound: Quantity) => { en: "p < {bound}", ko: "{bound} 미만" },

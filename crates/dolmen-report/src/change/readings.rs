@@ -44,8 +44,8 @@ messages! {
             ko: "{directions} 방향 기울기는 두 조사 중 하나에만 있다.",
         },
         Worse { from: String, to: String, each: Vec<Sentence> } => {
-            en: "Inspections {from} and {to}: worse or new: {each}.",
-            ko: "{from} 점검과 {to} 점검에서 악화되거나 새로 나타난 손상: {each}.",
+            en: "From inspection {from} to {to}, worse or new: {each}.",
+            ko: "{from} 점검 이후 {to} 점검까지 악화되거나 새로 나타난 손상: {each}.",
         },
         NotWorse { from: String, to: String, count: usize } => {
             en: "Inspections {from} and {to}: nothing new and nothing larger ({count} compared).",

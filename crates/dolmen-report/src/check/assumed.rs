@@ -24,15 +24,15 @@ messages! {
         NamesAndMore { names: Both, more: usize } => { en: "{names} and {more} more", ko: "{names} 외 {more}개" },
         StonesBody(inputs: Sentence) => {
             en: "{inputs} (every result that uses them)",
-            ko: "{inputs}(이를 사용한 모든 결과)",
+            ko: "{inputs}(이 값을 쓴 모든 결과가 이에 의존한다)",
         },
         Body(inputs: Sentence) => {
             en: "{inputs} (every result that uses them)",
-            ko: "{inputs}(이를 사용한 모든 결과)",
+            ko: "{inputs}(이 값을 쓴 모든 결과가 이에 의존한다)",
         },
         StonesStiffness(inputs: Sentence) => {
             en: "{inputs} (natural frequencies, demand on elastic joints and with it the verdict on the earthquake, and simulated motion rest on them; whether it stands and the limits do not)",
-            ko: "{inputs}(고유진동수, 탄성 접합면의 요구 수준과 그에 따른 지진 판정, 지진응답이 이에 의존하며 자중에 대한 판정과 한계 가속도는 무관하다)",
+            ko: "{inputs}(고유진동수, 탄성 접합면의 요구 수준과 그에 따른 지진 판정, 지진응답이 이에 의존하며 자중에 대한 판정과 거동 시작 가속도는 무관하다)",
         },
         ChainStiffness(inputs: Sentence) => {
             en: "{inputs} (the verdict, the load factor, the margins and the modes rest on them; limits from weights and lengths do not)",
@@ -60,7 +60,7 @@ messages! {
         },
         Damping(inputs: Sentence) => {
             en: "{inputs} (the response to the spectrum of a site and to motions, and changes from survey to survey, rest on them; stability and modes do not)",
-            ko: "{inputs}(부지 스펙트럼과 지진동에 대한 응답, 조사 사이의 변화가 이에 의존하며 안정성과 모드는 무관하다)",
+            ko: "{inputs}(부지 스펙트럼과 지반운동에 대한 응답, 조사 사이의 변화가 이에 의존하며 안정성과 모드는 무관하다)",
         },
         OfVariant { variant: Both, inputs: Vec<Sentence> } => {
             en: "Every result of the variant “{variant}” rests on what is assumed, not measured: {inputs}.",
@@ -226,7 +226,7 @@ fn of_variant(variant: &VariantAnswer, structure: &Structure) -> Option<Finding>
     let said = |input: &Input| {
         Sentence::from(Assumed::Input {
             input: Both::of(|language| input_words(structure, &input.path, language)),
-            written: input.written.clone(),
+            written: input.written.replace('*', "·"),
         })
     };
     let inputs: Vec<Sentence> = assumed.map(said).collect();

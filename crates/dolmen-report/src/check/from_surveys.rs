@@ -9,7 +9,7 @@ messages! {
     pub(crate) enum Identified in "check.from_surveys" {
         One { part: Sentence, survey: String, values: Values } => {
             en: "{part} is identified from survey {survey}, by the one solution that explains its modes: {values}.",
-            ko: "{part}은 {survey} 조사의 모드를 설명하는 하나뿐인 해로 정하였다: {values}.",
+            ko: "{part}은(는) {survey} 조사의 모드를 설명하는 하나뿐인 해로 정하였다: {values}.",
         },
         OneUnchecked { part: Sentence, survey: String, values: Values } => {
             en: "{part} is identified from survey {survey}, and nothing checks it: with as many unknown stiffnesses as frequencies it fits whatever the structure is: {values}. A measured mode shape would check it.",
@@ -17,15 +17,15 @@ messages! {
         },
         Worst { part: Sentence, survey: String, number: usize, of: usize, values: Values } => {
             en: "{part} is identified from survey {survey}, which {of} solutions explain. What follows rests on solution {number}, of all the one that a check judges worst: {values}. The others stand beside it as variants; `dolmen identify` says which measurement tells them apart.",
-            ko: "{part}은 {survey} 조사에서 정하였으나 이를 설명하는 해가 {of}개이다. 아래 결과는 검토에서 가장 불리한 해 {number}의 것이다: {values}. 나머지 해는 대안으로 함께 검토하며, 어떤 계측으로 가릴 수 있는지는 `dolmen identify`가 보인다.",
+            ko: "{part}은(는) {survey} 조사에서 정하였으나 이를 설명하는 해가 {of}개이다. 아래 결과는 검토에서 가장 불리한 해 {number}의 것이다: {values}. 나머지 해는 대안으로 함께 검토하며, 어떤 계측으로 가릴 수 있는지는 `dolmen identify`가 보인다.",
         },
         OfOther { part: Sentence, survey: String, number: usize, of: usize, values: Values } => {
             en: "{part} is that of solution {number} of the {of} that explain survey {survey}: {values}.",
-            ko: "{part}은 {survey} 조사를 설명하는 해 {of}개 중 해 {number}의 값이다: {values}.",
+            ko: "{part}은(는) {survey} 조사를 설명하는 해 {of}개 중 해 {number}의 값이다: {values}.",
         },
         NotKnown { part: Sentence, why: Sentence } => {
             en: "{part} was to be identified and stays unknown: {why}.",
-            ko: "{part}은 조사에서 구하게 되어 있으나 정해지지 않는다: {why}.",
+            ko: "{part}은(는) 조사에서 구하게 되어 있으나 정해지지 않는다: {why}.",
         },
         Joints => { en: "The stiffness of the joints", ko: "접합부 강성" },
         Direction(direction: String) => {

@@ -38,19 +38,19 @@ messages! {
         },
         TiltUnheld { tilt: Sentence, direction: String, survey: String } => {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) leans the model, but whether it holds is not known: the stiffness of that direction is not given. What leans pushes sideways with that share of its weight.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)를 모델에 반영하였으나 그 방향의 강성이 주어지지 않아 견디는지는 알 수 없다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)을 모델에 반영하였으나 그 방향의 강성이 주어지지 않아 견디는지는 알 수 없다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
         },
         TiltUnused { tilt: Sentence, direction: String, survey: String } => {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not used: storeys start plumb here. What leans pushes sideways with that share of its weight.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 쓰지 않았다. 이 모델의 층은 연직에서 시작한다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 쓰지 않았다. 이 모델의 층은 연직에서 시작한다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
         },
         TiltNotInModel { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge. The latest survey whose name begins with a date leans the model; as_surveyed names another.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다. 이름이 날짜로 시작하는 최근 조사의 기울기가 반영되며, 다른 조사는 as_surveyed로 지정한다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다. 이름이 날짜로 시작하는 최근 조사의 기울기가 반영되며, 다른 조사는 as_surveyed로 지정한다.",
         },
         TiltNotTaken { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다.",
         },
         FrameHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The frame is checked leaning by {tilt} in direction {direction}, from survey {survey}; its weight pushes on that, and it counts as fallen from {limit}.",
@@ -66,23 +66,23 @@ messages! {
         },
         TiltOverturns { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is beyond {limit}, at which a bed stands on its edge: it overturns, whatever the load factor.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}을(를) 넘는다. 하중배율과 관계없이 전도된다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}을(를) 넘는다. 하중배율과 관계없이 전도된다.",
         },
         TiltOpens { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds have begun to open, as they do from a third of that.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그 3분의 1을 넘어 접합면이 벌어지기 시작하였다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그 3분의 1을 넘어 접합면이 벌어지기 시작하였다.",
         },
         TiltHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
         },
         TiltOpensFrom { tilt: Sentence, direction: String, survey: String, limit: Sentence, opens: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds have begun to open, as they do from {opens} towards that side.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그쪽으로 접합면이 벌어지기 시작하는 {opens}을(를) 넘었다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그쪽으로 접합면이 벌어지기 시작하는 {opens}을(를) 넘었다.",
         },
         TiltHoldsFrom { tilt: Sentence, direction: String, survey: String, limit: Sentence, opens: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at {opens} towards that side.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그쪽으로 {opens}에서 벌어지기 시작한다.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그쪽으로 {opens}에서 벌어지기 시작한다.",
         },
         BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets (tilt_limit).",

@@ -17,7 +17,7 @@ messages! {
     pub(crate) enum Scatter in "check.scatter" {
         Falls { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
             en: "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
-            ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {samples}개 중 {count}개에서 전도된다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+            ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {samples}개 중 {count}개에서 안정을 잃는다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
         },
         Overloaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
             en: "Wind and static loads bring a joint to its limit, in one combination or more, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}.",
@@ -39,7 +39,7 @@ messages! {
         },
         DrawnMeaning => {
             en: "Each input with a coefficient of variation is drawn from a lognormal distribution; the tinted part falls.",
-            ko: "변동계수가 주어진 입력은 대수정규분포에서 추출하였으며, 바탕색 범위는 전도를 뜻한다.",
+            ko: "변동계수가 주어진 입력은 대수정규분포에서 추출하였으며, 바탕색 범위는 불안정을 뜻한다.",
         },
         Quantiles { low: Quantity, middle: Quantity, high: Quantity, seed: usize } => {
             en: "Load factor below which 5 %, 50 % and 95 % of the samples lie: {low}, {middle}, {high}. Seed {seed}.",
@@ -47,8 +47,8 @@ messages! {
         },
         Inputs(inputs: Vec<Both>) => { en: "Inputs drawn: {inputs}.", ko: "추출한 입력: {inputs}." },
         LoadFactor => { en: "λ", ko: "λ" },
-        FirstMotion => { en: "acceleration of first motion", ko: "최초 거동 가속도" },
-        EqualJoints => { en: "equal joint stiffness needed", ko: "균등 접합부 필요 강성" },
+        FirstMotion => { en: "acceleration of first motion", ko: "거동 시작 가속도" },
+        EqualJoints => { en: "equal joint stiffness needed", ko: "모든 접합면의 강성이 같을 때의 필요 강성" },
         Sensitivity { result: Sentence, shown: usize, all: usize } => {
             en: "Sensitivity of {result}, {shown} of {all} inputs.",
             ko: "{result}의 민감도, 입력 {all}개 중 {shown}개.",

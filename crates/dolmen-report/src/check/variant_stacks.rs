@@ -15,7 +15,7 @@ messages! {
     pub(crate) enum StackVariant in "check.variant-stacks" {
         Moves { variant: Both, to: Quantity, from: Quantity, verdict: Both } => {
             en: "Variant “{variant}” first moves at {to}, the structure as it is at {from}: {verdict}.",
-            ko: "대안 ‘{variant}’의 거동 시작 가속도는 {to}이다(현재 {from}): {verdict}.",
+            ko: "대안 ‘{variant}’의 거동 시작 가속도는 {to}이다(현 상태 {from}): {verdict}.",
         },
         MovesAlike { variant: Both, at: Quantity, verdict: Both } => {
             en: "Variant “{variant}” leaves the first motion at {at}: {verdict}.",
@@ -23,15 +23,15 @@ messages! {
         },
         Stands { variant: Both, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” first moves at {to}, and the structure as it is falls under its own weight: {verdict}.",
-            ko: "대안 ‘{variant}’의 거동 시작 가속도는 {to}이며, 현재 상태는 자중만으로 붕괴한다: {verdict}.",
+            ko: "대안 ‘{variant}’의 거동 시작 가속도는 {to}이다({verdict}). 현 상태는 자중만으로 붕괴한다.",
         },
         Falls { variant: Both, from: Quantity, verdict: Both } => {
             en: "Variant “{variant}” falls under its own weight, and the structure as it is first moves at {from}: {verdict}.",
-            ko: "대안 ‘{variant}’은(는) 자중만으로 붕괴하며, 현재 상태의 거동 시작 가속도는 {from}이다: {verdict}.",
+            ko: "대안 ‘{variant}’은(는) 자중만으로 붕괴한다({verdict}). 현 상태의 거동 시작 가속도는 {from}이다.",
         },
         FallsAlike { variant: Both, verdict: Both } => {
             en: "Variant “{variant}” falls under its own weight, as does the structure as it is: {verdict}.",
-            ko: "대안 ‘{variant}’도 현재 상태처럼 자중만으로 붕괴한다: {verdict}.",
+            ko: "대안 ‘{variant}’도 현 상태처럼 자중만으로 붕괴한다: {verdict}.",
         },
     }
 }

@@ -36,7 +36,7 @@ messages! {
         },
         Loaded { variant: Both, to: Quantity, from: Quantity, verdict: Both } => {
             en: "Variant “{variant}” bears {to} times its wind and static loads, the structure as it is {from} times: {verdict}.",
-            ko: "대안 ‘{variant}’: 풍하중·정하중의 {to}배에서 한계에 이른다(현재 {from}배): {verdict}.",
+            ko: "대안 ‘{variant}’: 풍하중·정하중의 {to}배에서 한계에 이른다(현 상태 {from}배): {verdict}.",
         },
         LoadedAlone { variant: Both, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” bears {to} times its wind and static loads: {verdict}.",
@@ -45,7 +45,7 @@ messages! {
         Borne => { en: "loads borne ×", ko: "하중 저항 배수" },
         Head => { en: "Variants compared", ko: "대안 비교" },
         Drawn => { en: "Load factor and margins of each variant.", ko: "대안별 하중배율과 여유도." },
-        DrawnMeaning => { en: "Left of 1 it falls.", ko: "1의 왼쪽은 전도이다." },
+        DrawnMeaning => { en: "Left of 1 it falls.", ko: "1의 왼쪽은 불안정이다." },
         Caption => { en: "Variants.", ko: "대안별 결과." },
         CaptionMeaning => { en: "The same check on each.", ko: "모두 같은 방법으로 검토하였다." },
         Variant => { en: "Variant", ko: "대안" },
@@ -59,11 +59,11 @@ messages! {
             en: "Variant “{variant}” is better under weight (λ {from} → {to}), worse under the earthquake of the site (capacity over demand {before} → {after}).",
             ko: "대안 ‘{variant}’은(는) 자중에서는 유리하나(λ {from} → {to}) 부지의 지진에서는 불리하다(저항/요구 {before} → {after}).",
         },
-        FallsShare => { en: "P(falls by its weight)", ko: "자중 전도 확률" },
+        FallsShare => { en: "P(falls by its weight)", ko: "자중 불안정 확률" },
         OverloadedShare => { en: "P(loads at a limit)", ko: "하중 한계 도달 확률" },
         Named(name: Both) => { en: "{name}", ko: "{name}" },
         Unknown => { en: "unknown", ko: "미상" },
-        Falls => { en: "falls", ko: "전도" },
+        Falls => { en: "falls", ko: "불안정" },
     }
 }
 
@@ -285,7 +285,7 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
         return document;
     }
     document.heading(Variants::Head);
-    let given = Both::of(|language| language.pick("as given", "현재"));
+    let given = Both::of(|language| language.pick("as given", "현 상태"));
     let versions = answer.variants.iter();
     let versions = versions.map(|variant| (title(variant), &variant.state));
     let judged = judge_check(answer);

@@ -18,10 +18,10 @@ messages! {
             en: "In the worst direction: {verdict}.",
             ko: "가장 불리한 방향의 판정: {verdict}.",
         },
-        Caption => { en: "Capacity against demand.", ko: "저항 가속도와 요구 수준." },
+        Caption => { en: "Capacity against demand.", ko: "거동 시작 가속도와 요구 수준." },
         RatioMeaning { vertical: Quantity, near: Quantity, same: Quantity } => {
             en: "Ratio: what is left with {vertical} of vertical acceleration, over the demand; above demand at least {near}, near 1 to {same}, below less than 1.",
-            ko: "비: 수직 가속도 {vertical}을(를) 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 기준 만족, 1 이상 {same} 미만이면 근접, 1 미만이면 불만족.",
+            ko: "비: 수직 가속도 {vertical}을(를) 고려한 거동 시작 가속도 / 요구 가속도. {near} 이상이면 기준 만족, 1 이상 {same} 미만이면 근접, 1 미만이면 불만족.",
         },
         ByModesMeaning => {
             en: "By modes: the forces of all modes on what is above each joint against what weight and friction bear there.",
@@ -55,7 +55,7 @@ messages! {
         },
         ModesUnknown => {
             en: "The modes, or what the spectrum asks at their periods, are not known, or nothing is left to compare with: on elastic joints unknown.",
-            ko: "모드 또는 그 주기의 스펙트럼 값을 알 수 없거나 비교할 저항 가속도가 없으므로 탄성 접합면에 대해서는 판정할 수 없다.",
+            ko: "모드 또는 그 주기의 스펙트럼 값을 알 수 없거나 비교할 거동 시작 가속도가 없으므로 탄성 접합면에 대해서는 판정할 수 없다.",
         },
     }
 }

@@ -49,27 +49,27 @@ messages! {
         },
         NoStiffness => {
             en: "The demand of the site is not compared: the stiffness is not known.",
-            ko: "강성을 알 수 없어 부지의 요구 수준과 비교하지 않는다.",
+            ko: "강성을 알 수 없어 부지의 설계지진과 비교하지 않는다.",
         },
         NoStiffnessIn(direction: String) => {
             en: "Direction {direction} is not compared with the demand of the site: its stiffness is not known.",
-            ko: "{direction} 방향은 강성을 알 수 없어 부지의 요구 수준과 비교하지 않는다.",
+            ko: "{direction} 방향은 강성을 알 수 없어 부지의 설계지진과 비교하지 않는다.",
         },
         Falls => {
             en: "The demand of the site is not compared: it falls under its own weight.",
-            ko: "자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+            ko: "자중만으로 붕괴하므로 부지의 설계지진과 비교하지 않는다.",
         },
         FallsIn(direction: String) => {
             en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight.",
-            ko: "{direction} 방향은 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+            ko: "{direction} 방향은 자중만으로 붕괴하므로 부지의 설계지진과 비교하지 않는다.",
         },
         FallsSlipping => {
             en: "The demand of the site is not compared: it falls under its own weight while its joints slip.",
-            ko: "접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+            ko: "접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 설계지진과 비교하지 않는다.",
         },
         FallsSlippingIn(direction: String) => {
             en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight while its joints slip.",
-            ko: "{direction} 방향은 접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+            ko: "{direction} 방향은 접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 설계지진과 비교하지 않는다.",
         },
         NoSpectrum => {
             en: "The demand of the site is not compared: its spectrum has no value at this damping or these periods.",
@@ -85,7 +85,7 @@ messages! {
         },
         LoosePost => {
             en: "The demand of the site is not compared: a side post with a gap may close, and what is above it then asks more than without. `dolmen simulate` follows it.",
-            ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 요구 수준과 비교하지 않는다. `dolmen simulate`로 검토한다.",
+            ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 설계지진과 비교하지 않는다. `dolmen simulate`로 검토한다.",
         },
         Rubs => {
             en: "Joints with dry friction are held against the site as free and as sticking, where the whole moves with the ground: the larger moment counts. A part that sticks while others turn is not tried.",
@@ -94,7 +94,7 @@ messages! {
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
         NotCompared(why: Both) => {
             en: "The demand of the site is not compared: {why}.",
-            ko: "부지의 요구 수준과 비교하지 못하였다({why}).",
+            ko: "부지의 설계지진과 비교하지 못하였다({why}).",
         },
     }
 }

@@ -28,9 +28,9 @@ messages! {
             en: "spectral acceleration, damping ratio {damping}",
             ko: "응답 가속도, 감쇠비 {damping}",
         },
-        Head => { en: "Earthquake demand at the site", ko: "부지의 지진 요구 수준" },
+        Head => { en: "Earthquake demand at the site", ko: "부지의 설계지진" },
         Source(source: String) => { en: "{source}", ko: "{source}" },
-        Spectrum => { en: "Design spectrum.", ko: "설계 응답 스펙트럼." },
+        Spectrum => { en: "Design spectrum.", ko: "설계 응답스펙트럼." },
         SpectrumOfStack => {
             en: "Dots: the first periods, at the damping of the site; level line: the acceleration at which it begins to move, less the vertical acceleration.",
             ko: "점은 1차 주기(부지의 감쇠비), 수평선은 수직 가속도를 고려한 거동 시작 가속도이다.",
@@ -41,7 +41,7 @@ messages! {
         },
         BearsUnknown => {
             en: "What acceleration this structure bears is not computed; S_a is for the engineer's own check.",
-            ko: "이 구조물의 저항 가속도는 계산하지 않았다. S_a는 기술자가 별도로 검토할 때 쓰는 값이다.",
+            ko: "이 구조물의 거동 시작 가속도는 계산하지 않았다. S_a는 기술자가 별도로 검토할 때 쓰는 값이다.",
         },
     }
 }

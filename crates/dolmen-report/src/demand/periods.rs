@@ -11,7 +11,7 @@ const DIGITS: usize = 4;
 messages! {
     /// The spectrum at the first periods.
     pub(crate) enum Periods in "demand.periods" {
-        Caption => { en: "The spectrum at the first periods.", ko: "1차 주기에서의 응답 스펙트럼." },
+        Caption => { en: "The spectrum at the first periods.", ko: "1차 주기에서의 응답스펙트럼." },
         CaptionMeaning => {
             en: "S_a is the spectral acceleration at the first period T1 of that direction and this damping.",
             ko: "S_a는 해당 방향의 1차 주기 T1과 감쇠비에 대한 응답 가속도이다.",

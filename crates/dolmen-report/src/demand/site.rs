@@ -38,12 +38,12 @@ messages! {
         },
         Rise(symbol: Sentence) => {
             en: "beginning of the plateau {symbol}",
-            ko: "최대 응답 구간의 시작 주기 {symbol}",
+            ko: "전이주기 {symbol}(최대 응답 구간의 시작)",
         },
-        Plateau(symbol: Sentence) => { en: "end of the plateau {symbol}", ko: "최대 응답 구간의 끝 주기 {symbol}" },
+        Plateau(symbol: Sentence) => { en: "end of the plateau {symbol}", ko: "전이주기 {symbol}(최대 응답 구간의 끝)" },
         LongPeriods(symbol: Sentence) => {
             en: "beginning of the 1/T² branch {symbol}",
-            ko: "1/T² 구간의 시작 주기 {symbol}",
+            ko: "전이주기 {symbol}(1/T² 구간의 시작)",
         },
         DesignShort => {
             en: "S_DS of KDS 41 17 00",

@@ -13,7 +13,7 @@ messages! {
             en: "Of the code these are not held against its text: {all}.",
             ko: "기준 원문과 대조하지 않은 값: {all}.",
         },
-        Edition(year: Quantity) => { en: "the year {year} of the edition", ko: "제정 연도 {year}" },
+        Edition(year: Quantity) => { en: "the year {year} of the edition", ko: "기준의 판({year}년)" },
         RiskFactor { years: Quantity, factor: Quantity } => {
             en: "the risk factor {factor} of {years} years",
             ko: "재현주기 {years}년의 위험도계수 {factor}",

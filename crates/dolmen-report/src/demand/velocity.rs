@@ -9,7 +9,7 @@ messages! {
     pub(crate) enum ByVelocity in "demand.velocity" {
         Said { velocity: Quantity, period: Quantity, slenderness: Quantity, ratio: Quantity } => {
             en: "By spectral velocity (Housner): S_v is {velocity}, from {period} on; the part that lifts first has α = {slenderness}, {ratio} times what S_v overturns in half of all cases. It decides nothing here: that it overturns is a matter of the single motion.",
-            ko: "스펙트럼 속도에 의한 검토(Housner): S_v = {velocity}(주기 {period}부터). 가장 먼저 들리는 부분의 세장각 α = {slenderness}은 S_v가 절반의 경우에 전도시키는 세장각의 {ratio}배이다. 전도 여부는 개별 지진동에 달렸으므로 판정에는 쓰지 않는다.",
+            ko: "스펙트럼 속도에 의한 검토(Housner): S_v = {velocity}(주기 {period}부터). 가장 먼저 들리는 부분의 세장각 α = {slenderness}은 S_v가 절반의 경우에 전도시키는 세장각의 {ratio}배이다. 전도 여부는 개별 지반운동에 달렸으므로 판정에는 쓰지 않는다.",
         },
         Caption => { en: "Slenderness that the spectral velocity overturns.", ko: "스펙트럼 속도로 전도되는 세장각." },
         Meaning => {

@@ -40,7 +40,7 @@ messages! {
         Tilt => { en: "tilt", ko: "기울기" },
         Settlement => { en: "settlement", ko: "침하" },
         Loss => { en: "loss", ko: "결손" },
-        Growth => { en: "growth of plants", ko: "생물 피복" },
+        Growth => { en: "growth of plants", ko: "생물오염" },
         Named { what: Sentence, name: String } => { en: "{what} {name}", ko: "{what} {name}" },
         Other(what: Both) => { en: "{what}", ko: "{what}" },
         Slight => { en: "slight", ko: "경미" },

@@ -21,7 +21,7 @@ messages! {
         Loads => { en: "Does it move no more under its loads than is allowed?", ko: "하중에 의한 변위가 허용값 이내인가" },
         Evidence => { en: "Is the model the structure?", ko: "모델이 실제와 일치하는가" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
-        WithVariants { word: Both, each: Vec<Sentence> } => { en: "as given: {word}; {each}", ko: "입력 상태: {word}; {each}" },
+        WithVariants { word: Both, each: Vec<Sentence> } => { en: "as given: {word}; {each}", ko: "현 상태: {word}; {each}" },
         OfVariant { variant: Both, word: Both } => { en: "variant “{variant}”: {word}", ko: "대안 ‘{variant}’: {word}" },
         ToDo => { en: "What to do", ko: "보수·보강 방안" },
     }

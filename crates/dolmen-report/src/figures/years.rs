@@ -31,7 +31,7 @@ messages! {
         Damages => { en: "Damage by inspections (mm)", ko: "점검에서 잰 손상 (mm)" },
         Trend => { en: "trend of a log", ko: "연속 기록의 추세" },
         Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
-        Explained => { en: "explained", ko: "모형" },
+        Explained => { en: "explained", ko: "모델의 설명값" },
         Alarm => { en: "confirmed alarm", ko: "확정된 경보" },
         Earthquake => { en: "earthquake", ko: "지진" },
         Works => { en: "works, events", ko: "보수·사건" },

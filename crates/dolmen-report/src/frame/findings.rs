@@ -27,11 +27,11 @@ messages! {
         },
         Slipping(factor: Quantity) => {
             en: "once its joints slip it falls at {factor} times its weight, which decides: in an earthquake they may.",
-            ko: "접합부가 미끄러지면 자중의 {factor}배에서 전도되며, 이 값으로 판정한다. 지진 시에는 미끄러질 수 있다.",
+            ko: "접합부가 미끄러지면 자중의 {factor}배에서 안정을 잃으며, 이 값으로 판정한다. 지진 시에는 미끄러질 수 있다.",
         },
         LowestFalls => {
             en: "it does not vibrate in its lowest shape, it falls in it.",
-            ko: "최저차 형상에서는 진동하지 않고 전도된다.",
+            ko: "최저차 형상에서는 진동하지 않고 안정을 잃는다.",
         },
         LowestMode(frequency: Quantity) => {
             en: "the lowest natural frequency on this stiffness is {frequency}.",

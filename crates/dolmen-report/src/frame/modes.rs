@@ -27,7 +27,7 @@ messages! {
         Number { number: usize } => { en: "{number}", ko: "{number}" },
         Frequency => { en: "natural frequency", ko: "고유진동수" },
         Level { level: usize } => { en: "level {level}", ko: "{level}층" },
-        Falls => { en: "falls", ko: "전도" },
+        Falls => { en: "falls", ko: "불안정" },
     }
 }
 

@@ -22,7 +22,7 @@ messages! {
         },
         NoFrequency => {
             en: "It does not vibrate then, it falls.",
-            ko: "이때 진동하지 않고 전도된다.",
+            ko: "이때 진동하지 않고 안정을 잃는다.",
         },
         Stable => { en: "stable", ko: "안정" },
         Marginal => { en: "marginal", ko: "여유 부족" },

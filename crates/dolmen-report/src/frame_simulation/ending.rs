@@ -92,7 +92,7 @@ messages! {
         AtRest => { en: "At the end it is at rest.", ko: "종료 시 정지 상태이다." },
         Moving => {
             en: "At the end it is still moving: what is left is where it comes to rest if nothing slips any more.",
-            ko: "종료 시 아직 움직이고 있으며, 잔류 변위는 더 미끄러지지 않을 때의 값이다.",
+            ko: "해석 종료 시점에도 진동이 남아 있다. 잔류 변위는 그 뒤 미끄러짐이 없다고 본 값이다.",
         },
     }
 }

@@ -14,8 +14,8 @@ messages! {
         Falls(motion: Both) => { en: "it falls under {motion}", ko: "{motion} 작용 시 전도" },
         LeansTooFar(motion: Both) => { en: "it leans too far under {motion}", ko: "{motion} 작용 시 과대 변위" },
         BeyondRoom => { en: "beyond its room", ko: "여유 공간 초과" },
-        NoGravityLoad => { en: "No gravity load is given.", ko: "축력이 주어지지 않음." },
-        NoStiffness => { en: "Stiffness is not given.", ko: "강성이 주어지지 않음." },
+        NoGravityLoad => { en: "No gravity load is given.", ko: "축력이 주어지지 않았다." },
+        NoStiffness => { en: "Stiffness is not given.", ko: "강성이 주어지지 않았다." },
         Shaken(reasons: Both) => {
             en: "The verdict on its own weight is without shaking. With shaking: {reasons}.",
             ko: "자중에 대한 판정은 지진이 없을 때의 것이다. 지진을 고려한 판정: {reasons}.",
@@ -30,7 +30,7 @@ messages! {
         },
         Thresholds(limit: Quantity) => {
             en: "stable: λ ≥ {limit} · marginal: 1 < λ < {limit} · unstable: λ ≤ 1 · unknown: not enough is given. λ is the factor on gravity at which the structure falls.",
-            ko: "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중배율)이다.",
+            ko: "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 안정을 잃는 중력의 배수(하중배율)이다.",
         },
         ComputedBy(program: Both) => { en: "Computed by {program}", ko: "계산 프로그램: {program}" },
         SamplesFrom(seed: u64) => { en: "Seed of the samples: {seed}", ko: "표본 추출 시드: {seed}" },

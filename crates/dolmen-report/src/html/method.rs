@@ -14,7 +14,7 @@ messages! {
         },
         ChainFactor => {
             en: "λ is the smallest factor on gravity that makes this matrix singular. The margin of a joint is its stiffness over the least one at which the chain stands, the other joints as they are.",
-            ko: "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 접합면의 여유도는 다른 접합면을 그대로 두었을 때 안정을 유지하는 최소 강성에 대한 현재 강성의 비이다.",
+            ko: "λ는 이 행렬이 특이행렬이 되는 최소 중력 배수이다. 접합면의 여유도는 다른 접합면을 그대로 두었을 때 안정을 유지하는 최소 강성에 대한 현재 강성의 비이다.",
         },
         ChainNot => {
             en: "Not covered by λ: earthquake and wind, strength and ageing of stone, slipping, opening of joints, foundations other than the lowest spring, and plan directions other than the one modelled.",
@@ -22,11 +22,11 @@ messages! {
         },
         FrameSprings => {
             en: "Rigid storeys on linear lateral springs; gravity enters as P-delta. Each direction is a frame of its own; twisting modes are reported and kept out.",
-            ko: "강체 층과 선형 횡방향 스프링, 중력은 P-델타 효과로 고려하였다. 각 방향은 독립된 골조이며 비틀림모드는 보고하되 추정에서 제외하였다.",
+            ko: "강체 층과 선형 횡방향 스프링, 중력은 P-델타 효과로 고려하였다. 각 방향은 독립된 골조이며 비틀림 모드는 보고하되 추정에서 제외하였다.",
         },
         FrameFactor => {
             en: "λ is the smallest factor on all axial forces that makes the stiffness matrix singular.",
-            ko: "λ는 강성행렬을 특이하게 만드는 가장 작은 축력 배수이다.",
+            ko: "λ는 강성행렬이 특이행렬이 되는 최소 축력 배수이다.",
         },
         FrameNot => {
             en: "Not covered by λ: friction and its loss under strong shaking, earthquake (where one was simulated, it has a section of its own) and wind, strength and decay of timber. Stiffness from ambient vibration is that of very small motion and falls as motion grows.",
@@ -50,7 +50,7 @@ messages! {
         },
         StackNot => {
             en: "Not covered: cracking and crushing of stone, settlement and softness of the ground under shaking, ageing. The thresholds are those of first motion, not of collapse.",
-            ko: "검토 범위 밖: 석재의 균열과 압괴, 지진 중 지반의 침하와 변형, 노후. 한계 가속도는 최초 거동의 값이며 붕괴의 값이 아니다.",
+            ko: "검토 범위 밖: 석재의 균열과 압괴, 지진 중 지반의 침하와 변형, 노후. 거동 시작 가속도는 움직이기 시작하는 값이며 붕괴의 값이 아니다.",
         },
         BuildingFloors => {
             en: "Floors are rigid in their plane and rest on linear walls and columns: two displacements and a rotation each. The weight acts where the mass is (P-delta), straight down.",
@@ -58,7 +58,7 @@ messages! {
         },
         BuildingFactor => {
             en: "λ is the smallest factor on the weight at which a storey sways or twists without end; storeys fall one by one.",
-            ko: "λ는 어느 한 층이 횡변위 또는 비틀림으로 무너지는 가장 작은 무게의 배수이다.",
+            ko: "λ는 어느 한 층이 횡변위 또는 비틀림으로 붕괴하는 가장 작은 무게의 배수이다.",
         },
         BuildingNot => {
             en: "Not covered: walls that bend over several storeys as one, floors that are soft in their plane, rocking of the foundation, yielding and cracking, strength.",

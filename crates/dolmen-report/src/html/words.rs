@@ -164,6 +164,7 @@ fn survey_words(path: &str, language: Language) -> Option<String> {
     } else {
         language.pick("frequency", "고유진동수")
     };
+    let survey = printed_name(survey, language);
     Some(language.pick(
         format!("{quantity} {number}, direction {direction} (survey {survey})"),
         format!("{direction} 방향 {quantity} {number} ({survey} 조사)"),
@@ -238,8 +239,8 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             }
             "floors" => format!("{} {number}", language.pick("floor", "바닥")),
             "walls" => format!("{} {number}", language.pick("wall", "벽체")),
-            "damping" => language.pick("damping", "감쇠").to_owned(),
-            "ratio" => language.pick("ratio", "비").to_owned(),
+            "damping" if path.starts_with("damping.") => language.pick("damping", "모드").to_owned(),
+            "ratio" => language.pick("ratio", "감쇠비").to_owned(),
             "stiffness_x" => language.pick("stiffness x", "강성 x").to_owned(),
             "stiffness_y" => language.pick("stiffness y", "강성 y").to_owned(),
             "rotation" if path.starts_with("floors") => language.pick("against turning", "회전").to_owned(),
@@ -303,10 +304,10 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "weight" => language.pick("weight", "무게"),
         "mass" => language.pick("mass", "질량"),
         "length" => language.pick("length", "길이"),
-        "centroid" => language.pick("height of centre of mass", "무게 중심 높이"),
+        "centroid" => language.pick("height of centre of mass", "무게중심 높이"),
         "inertia" => language.pick("moment of inertia", "질량 관성모멘트"),
         "breadth" => language.pick("breadth", "폭"),
-        "bed_width" => language.pick("bed width", "밑면 폭"),
+        "bed_width" => language.pick("bed width", "접합면 폭"),
         "stiffness" => language.pick("stiffness", "강성"),
         "friction_moment" => language.pick("moment of friction", "마찰 모멘트"),
         "static_friction_moment" => language.pick("static moment of friction", "정지마찰 모멘트"),

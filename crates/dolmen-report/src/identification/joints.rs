@@ -70,7 +70,7 @@ messages! {
         },
         Beds => {
             en: "The stack has many joints: those of one plane share a factor.",
-            ko: "접합면이 많아 한 평면에 있는 접합면은 배율을 함께 쓴다.",
+            ko: "접합면이 많으므로 같은 평면의 접합면에는 하나의 배율을 적용하였다.",
         },
         Open(joints: usize) => {
             en: "Joints that are open at rest and have no springs in these modes: {joints}.",

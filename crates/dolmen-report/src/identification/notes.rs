@@ -94,7 +94,7 @@ messages! {
         },
         FreeDirection(components: Vec<Sentence>) => {
             en: "Free: changes of ln k in the proportions {components} leave all data unchanged (to first order).",
-            ko: "미결정 방향: ln k를 {components}의 비율로 변화시켜도 모든 자료가 (1차 근사에서) 변하지 않는다.",
+            ko: "자료로 정해지지 않는 강성 조합: 각 강성의 로그를 다음 비율로 함께 바꾸어도 모든 자료가 (1차 근사로) 변하지 않는다: {components}.",
         },
         WideIntervals(deviations: Vec<Sentence>) => {
             en: "The data determine some stiffnesses only to an order of magnitude (standard deviation of {deviations}).",

@@ -25,7 +25,7 @@ messages! {
         },
         OneWithCentre { k_x: Quantity, k_y: Quantity, k_theta: Quantity, e_x: Quantity, e_y: Quantity } => {
             en: "one solution explains the 3 frequencies and the twists: k_x {k_x}, k_y {k_y}, k_θ {k_theta} about the centre of rigidity, which lies {e_x} along x and {e_y} along y from the centre of mass.",
-            ko: "고유진동수 3개와 비틀림비를 설명하는 해는 하나이다. k_x {k_x}, k_y {k_y}, 강성 중심에 대한 k_θ {k_theta}이고, 편심(질량 중심에서 강성 중심까지)은 x {e_x}, y {e_y}이다.",
+            ko: "고유진동수 3개와 비틀림비를 설명하는 해는 하나이다. k_x {k_x}, k_y {k_y}, 강성 중심에 대한 k_θ {k_theta}이고, 편심(질량중심에서 강성 중심까지)은 x {e_x}, y {e_y}이다.",
         },
         Several(solutions: usize) => {
             en: "{solutions} different solutions explain the measured modes equally well; none is preferred here. How each mode moves (x, y or torsion), and the twists of the modes along x and y, tell them apart.",
@@ -78,7 +78,7 @@ messages! {
         Caption(total: usize) => { en: "Solutions in plan: {total}.", ko: "평면 강성의 해: {total}개." },
         Meaning => {
             en: "k θ is about the centre of rigidity; e is from the centre of mass to it; ± standard deviation. Per 1 %: how much a stiffness moves, most, where each frequency moves by 1 %.",
-            ko: "k θ는 강성 중심에 대한 값, e는 질량 중심에서 강성 중심까지의 거리이며 ±는 표준편차이다. 1 %당은 각 고유진동수가 1 % 달라질 때 강성이 달라지는 최대량이다.",
+            ko: "k θ는 강성 중심에 대한 값, e는 질량중심에서 강성 중심까지의 거리이며 ±는 표준편차이다. 1 %당은 각 고유진동수가 1 % 달라질 때 강성이 달라지는 최대량이다.",
         },
         Stated => {
             en: "The centre of rigidity is taken as the file has it.",
@@ -100,12 +100,12 @@ messages! {
         },
         ShapesMeaning => {
             en: "Dashed: at rest. Black dot: centre of mass as it moves; purple cross: centre of rigidity at rest.",
-            ko: "점선은 정지 상태, 검은 점은 움직인 질량 중심, 보라색 십자는 정지 상태의 강성 중심이다.",
+            ko: "점선은 정지 상태, 검은 점은 움직인 질량중심, 보라색 십자는 정지 상태의 강성 중심이다.",
         },
         ModesCaption => { en: "Modes of the accepted solutions.", ko: "받아들인 해의 모드." },
         ModesMeaning => {
             en: "Parts of the energy of the mode along x, along y and in rotation about the centre of mass.",
-            ko: "모드 에너지 중 x 방향, y 방향, 질량 중심에 대한 회전의 몫.",
+            ko: "모드 에너지 중 x 방향, y 방향, 질량중심에 대한 회전의 몫.",
         },
         Frequency => { en: "f", ko: "f" },
         Masses => {

@@ -11,7 +11,7 @@ messages! {
     pub(crate) enum Centre in "identification.plan_centre" {
         Stated { k_x: Quantity, k_y: Quantity, k_theta: Quantity, e_x: Quantity, e_y: Quantity } => {
             en: "not determined: 3 frequencies do not tell where the centre of rigidity is. Were it where the file has it ({e_x} along x and {e_y} along y from the centre of mass), k_x would be {k_x}, k_y {k_y}, k_θ {k_theta}.",
-            ko: "정해지지 않는다. 고유진동수 3개로는 강성 중심의 위치를 알 수 없다. 강성 중심이 파일의 위치(질량 중심에서 x {e_x}, y {e_y})에 있다면 k_x {k_x}, k_y {k_y}, k_θ {k_theta}이다.",
+            ko: "정해지지 않는다. 고유진동수 3개로는 강성 중심의 위치를 알 수 없다. 강성 중심이 파일의 위치(질량중심에서 x {e_x}, y {e_y})에 있다면 k_x {k_x}, k_y {k_y}, k_θ {k_theta}이다.",
         },
         Between { stated: Sentence, x: Sentence, y: Sentence, theta: Sentence } => {
             en: "{stated} Over all centres on the floor, and over frequencies within 1.96 standard deviations, k_x lies between {x}, k_y between {y}, k_θ between {theta}.",

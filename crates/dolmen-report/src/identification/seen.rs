@@ -17,9 +17,9 @@ messages! {
             ko: "자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 정해지지 않는 강성 조합 {free}개.",
         },
         Share { spring: Sentence, share: Quantity } => { en: "{spring}: {share}", ko: "{spring}: {share}" },
-        Little { springs: Vec<Sentence> } => {
-            en: "The data say little of {springs}.",
-            ko: "{springs}에 대해서는 자료가 알려 주는 것이 거의 없다.",
+        Little { springs: Vec<Sentence>, least: Quantity } => {
+            en: "The data alone do not settle {springs} (share below {least}).",
+            ko: "{springs}은(는) 자료만으로 정해지지 않는다(정해지는 정도 {least} 미만).",
         },
         Masses => {
             en: "The deviations of the stiffness are of the frequencies alone; the file gives weights and dimensions no scatter (cov), so they count as exact. 1 % more mass is 1 % more of every k.",
@@ -56,7 +56,8 @@ pub(super) fn seen(visibility: &Visibility) -> Vec<Sentence> {
     let unseen = each().filter(|(_, share)| **share < SEEN_LEAST);
     let springs: Vec<Sentence> = unseen.map(|(at, _)| symbol(at)).collect();
     if !springs.is_empty() {
-        said.push(Seen::Little { springs }.into());
+        let least = Quantity::new(SEEN_LEAST, Unit::ratio(), Digits::Fixed(1));
+        said.push(Seen::Little { springs, least }.into());
     }
     said
 }

@@ -25,11 +25,11 @@ messages! {
         None => { en: "No stiffness explains these modes.", ko: "이 모드를 설명하는 강성이 없다." },
         Caption { shown: usize, total: usize } => {
             en: "Solutions, {shown} of {total} found.",
-            ko: "구한 해 {total}개 가운데 {shown}개를 보인다.",
+            ko: "구한 해 {total}개(표에는 {shown}개).",
         },
         Meaning { starts: usize, spring: Sentence } => {
             en: "k₁ is of the lowest {spring}, ± standard deviation. Starting points tried: {starts}; misfit is the root mean square deviation in units of the standard deviation, relative where none is given.",
-            ko: "k₁은 맨 아래 {spring}의 강성이며 ±는 표준편차이다. 시작점 {starts}개. 오차는 표준편차 단위의 제곱평균제곱근이며, 표준편차가 없으면 상대값이다.",
+            ko: "k₁은 맨 아래 {spring}의 강성이며 ±는 표준편차이다. 탐색 시작점 {starts}개. 오차는 표준편차 단위의 제곱평균제곱근이며, 표준편차가 없으면 상대값이다.",
         },
         RangeMeaning(widths: Values) => {
             en: "Least, most: the range while every frequency moves by √3 of its standard deviation, {widths}.",

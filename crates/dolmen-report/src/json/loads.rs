@@ -65,6 +65,7 @@ fn combination(of: &CombinationAnswer) -> Value {
         Combined::Stack(stack) => as_json!({
             "dilating_factor": stack.dilating_factor.filter(|factor| factor.is_finite()),
             "uncrushed_factor": stack.uncrushed_factor.filter(|factor| factor.is_finite()),
+            "rigid_ground_factor": stack.rigid_ground_factor.filter(|factor| factor.is_finite()),
             "at_least": Some(stack.found.at_least).filter(|factor| factor.is_finite()),
             "grows": stack.grows,
             "wind_to": stack.wind_to,

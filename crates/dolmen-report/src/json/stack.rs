@@ -47,7 +47,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "sliding": limits.sliding,
         "governing": limits.governing,
         "governing_with_ties": limits.governing_with_ties,
-        "soil_factor": limits.soil_factor,
+        "soil_factor": limits.footing.map_or(1.0, |footing| footing.factor()),
         "statically_determinate": limits.statically_determinate,
         "mechanism": check.analysis.as_ref().and_then(|analysis| analysis.mechanism.as_ref()),
         "undecided": limits.undecided.iter().map(names).collect::<Vec<_>>(),

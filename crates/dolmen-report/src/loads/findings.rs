@@ -159,6 +159,15 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
             },
         ));
     }
+    if let Some(rigid) = under.and_then(|under| under.rigid_ground_factor) {
+        all.push(Finding::key(
+            Tone::Warn,
+            match rigid.is_finite() {
+                true => Found::FootingTurns(Quantity::beside_one(rigid, DIGITS)),
+                false => Found::FootingTurnsAlone,
+            },
+        ));
+    }
     match under.and_then(|under| under.dilating_factor) {
         Some(dilating) => {
             let dilating = Quantity::beside_one(dilating, DIGITS);

@@ -22,7 +22,7 @@ messages! {
         },
         BeyondDrift { what: Sentence, ratio: Quantity, limit: Quantity, floor: Sentence, axis: Sentence } => {
             en: "{what}: the storey below floor {floor} is beyond its limit: it drifts by {ratio} of its height along {axis}, and {limit} is allowed.",
-            ko: "{what}: {floor} 바닥 아래 층의 {axis} 방향 층간변위가 층고의 {ratio}(으)로 허용값 {limit}을(를) 넘는다.",
+            ko: "{what}: {floor} 바닥 아래층의 {axis} 방향 층간변위가 층고의 {ratio}(으)로 허용값 {limit}을(를) 넘는다.",
         },
         NoLimit { what: Sentence, ratio: Quantity, floor: Sentence, axis: Sentence } => {
             en: "{what}: the largest drift is {ratio} of the storey height, along {axis} below floor {floor}. The file gives no limit for it: write storey_drift into [limits].",

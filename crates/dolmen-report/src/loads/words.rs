@@ -11,11 +11,11 @@ messages! {
     pub(crate) enum Found in "loads.findings" {
         NoWind => {
             en: "Wind is not in the file: the verdict is on weight alone, and a storm may exceed the resistance of the beds.",
-            ko: "파일에 풍하중이 없다. 판정은 자중만을 고려한 것이며, 폭풍은 접합면의 저항을 넘을 수 있다.",
+            ko: "풍하중을 입력하지 않아 자중만으로 판정하였다. 강풍 시 하중이 접합면의 저항을 넘을 수 있다.",
         },
         NoWindOnFrame => {
             en: "Wind is not in the file: the verdict is on weight alone, and a storm on roof and walls may exceed the resistance of the storeys.",
-            ko: "파일에 풍하중이 없다. 판정은 자중만을 고려한 것이며, 지붕과 벽체가 받는 폭풍은 층의 저항을 넘을 수 있다.",
+            ko: "풍하중을 입력하지 않아 자중만으로 판정하였다. 강풍 시 지붕과 벽체가 받는 하중이 층의 저항을 넘을 수 있다.",
         },
         Everything => { en: "Wind and static loads as they are", ko: "주어진 풍하중·정하중" },
         Wind => { en: "The wind of the file", ko: "입력한 풍하중" },
@@ -60,7 +60,7 @@ messages! {
         },
         Heavy { what: Sentence, factor: Quantity, stable: Quantity } => {
             en: "{what}: it falls at {factor} times what it weighs with its loads; “stable” needs {stable}.",
-            ko: "{what}: 하중의 무게를 포함한 자중의 {factor}배에서 전도되며 ‘안정’ 판정에는 {stable}배가 필요하다.",
+            ko: "{what}: 하중의 무게를 포함한 자중의 {factor}배에서 안정을 잃으며 ‘안정’ 판정에는 {stable}배가 필요하다.",
         },
         Carried { weight: Quantity, factor: Quantity, frequency: Quantity } => {
             en: "The load factor and the frequencies above are without what the static loads weigh ({weight}); with it the load factor is {factor} and the lowest frequency {frequency}.",
@@ -76,7 +76,7 @@ messages! {
         },
         Falls(what: Sentence) => {
             en: "{what}: it falls under the weight of this combination alone.",
-            ko: "{what}: 이 하중조합의 자중만으로도 전도된다.",
+            ko: "{what}: 이 하중조합의 자중만으로도 안정을 유지하지 못한다.",
         },
         AtLeast { what: Sentence, joint: usize, moment: Quantity } => {
             en: "{what}: whether it is borne is unknown. Joint {joint} passes {moment} at the least, without what the weight adds as it leans; that needs the stiffness of the joints and the widths of their beds, and not all of these are given.",
@@ -145,6 +145,14 @@ messages! {
         EdgesCrushAlone => {
             en: "Edges of stones crush on the way there; if none did, nothing would move.",
             ko: "그 전에 석재 모서리가 압괴한다. 압괴하지 않는다면 움직이지 않는다.",
+        },
+        FootingTurns(rigid: Quantity) => {
+            en: "The footing turns on its soil and lifts off; on rigid ground the factor would be {rigid}.",
+            ko: "기초가 지반 위에서 회전하며 들린다. 강체 지반이라면 저항 배수는 {rigid}이다.",
+        },
+        FootingTurnsAlone => {
+            en: "The footing turns on its soil and lifts off; on rigid ground nothing would move.",
+            ko: "기초가 지반 위에서 회전하며 들린다. 강체 지반이라면 움직이지 않는다.",
         },
         SlidesSmooth(dilating: Quantity) => {
             en: "Upright joints slide there, and count without friction. Friction that lets them rise, which real ones do not, would give {dilating}: an upper bound.",

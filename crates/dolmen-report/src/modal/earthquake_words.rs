@@ -148,7 +148,7 @@ messages! {
         },
         Through => { en: "The lowest frequency before, in and after the earthquake.", ko: "지진 전·중·후의 최저차 고유진동수." },
         ThroughMeaning => { en: "Bars: 95 % intervals. Grey: the strong phase, 5 to 95 % of the energy.", ko: "막대: 95 % 신뢰구간. 회색: 강진 구간(에너지의 5–95 %)." },
-        Spectra => { en: "Response spectra of the channels, 5 % of damping.", ko: "채널별 응답 스펙트럼(감쇠비 5 %)." },
+        Spectra => { en: "Response spectra of the channels, 5 % of damping.", ko: "채널별 응답스펙트럼(감쇠비 5 %)." },
         SpectraMeaning => {
             en: "What an oscillator that stands where the sensor stands would feel: on the ground the earthquake, above it what the structure made of it.",
             ko: "센서 위치에 놓인 단자유도계의 응답이다. 지반의 센서는 지진을, 그 위의 센서는 구조물이 증폭한 운동을 나타낸다.",

@@ -24,11 +24,11 @@ messages! {
         OfStructures { count: usize, all: usize } => { en: "{count} of {all} structures", ko: "구조물 {all}기 중 {count}기" },
         ByRate { structures: Sentence, state: Both } => {
             en: "{structures} by the annual rate of {state}, the worst first.",
-            ko: "{structures}을(를) {state}의 연간 초과율 기준으로 나쁜 순서대로 나열하였다.",
+            ko: "{structures}을(를) {state}의 연간 초과율 기준으로 취약한 순서로 나열하였다.",
         },
         ByCapacity { structures: Sentence, state: Both } => {
             en: "{structures} by the capacity for {state}, the worst first: the peak of the ground that half of the motions need.",
-            ko: "{structures}을(를) {state}의 저항능력(지반운동의 절반이 그 상태에 이르게 하는 최대지반가속도) 기준으로 나쁜 순서대로 나열하였다.",
+            ko: "{structures}을(를) {state}의 저항능력(지반운동의 절반이 그 상태에 이르게 하는 최대지반가속도) 기준으로 취약한 순서로 나열하였다.",
         },
         NoHazard => { en: "The hazard of the sites is not given.", ko: "부지의 지진재해도가 주어지지 않았다." },
         NotByRate { why: Sentence } => { en: "NOT BY RATE: {why}", ko: "초과율 기준 아님: {why}" },
@@ -64,7 +64,7 @@ messages! {
         },
         FallsFirst { name: String, rank: usize, state: Both, falls: usize } => {
             en: "{name}: place {rank} by {state}, but {falls} by falls alone: little is damaged before it falls",
-            ko: "{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 큰 손상 없이 먼저 떨어진다",
+            ko: "{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 손상상태를 거의 거치지 않고 낙하·전도에 이른다",
         },
         MoreMisjudged { more: usize } => {
             en: "and {more} more that falls alone would put far further back: place_by_falls in ranking.csv",
@@ -72,7 +72,7 @@ messages! {
         },
         MoreFallsFirst { more: usize } => {
             en: "and {more} more that fall far earlier than they are damaged: place_by_falls in ranking.csv",
-            ko: "손상되기 전에 먼저 떨어지는 구조물 {more}기 더 있음: ranking.csv의 place_by_falls",
+            ko: "손상상태를 거의 거치지 않고 낙하·전도에 이르는 구조물 {more}기 더 있음: ranking.csv의 place_by_falls",
         },
         WithoutPlaceBelow { count: usize } => {
             en: "Without a place: {count}. They are named below the table and may be the worst.",

@@ -28,7 +28,7 @@ messages! {
         },
         NoProof => {
             en: "The score puts pagodas into order; it is no proof that one stands.",
-            ko: "점수는 석탑의 순서를 정할 뿐이며 안전의 증명이 아니다.",
+            ko: "점수는 석탑의 우선순위를 정하는 데 쓸 뿐, 안전성을 보증하지 않는다.",
         },
     }
 }

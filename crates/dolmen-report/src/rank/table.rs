@@ -15,7 +15,7 @@ const ROWS_MOST: usize = 200;
 messages! {
     /// The table of a ranking.
     pub(crate) enum Ranking in "rank.table" {
-        Caption => { en: "Ranking, the worst first.", ko: "우선순위, 나쁜 순서." },
+        Caption => { en: "Ranking, the worst first.", ko: "우선순위, 취약한 순서." },
         Structure => { en: "structure", ko: "구조물" },
         Name(name: String) => { en: "{name}", ko: "{name}" },
         RestsOn => { en: "rests on", ko: "근거" },
@@ -26,7 +26,7 @@ messages! {
         State(state: Both) => { en: "{state}", ko: "{state}" },
         AYear => { en: "a year", ko: "연간 초과율" },
         FiftyYears => { en: "in 50 years", ko: "50년 초과확률" },
-        WorstTenth => { en: "worst tenth", ko: "하위 10 % 비율" },
+        WorstTenth => { en: "worst tenth", ko: "최취약 10 %에 들 확률" },
         ByFalls => { en: "by falls alone", ko: "낙하·전도 순위" },
         More(more: usize) => {
             en: "and {more} more, in ranking.csv (-o DIR).",
@@ -34,7 +34,7 @@ messages! {
         },
         WorstTenthMeaning => {
             en: "Worst tenth: in how many of the draws of what is not known it is among the worst tenth.",
-            ko: "하위 10 % 비율: 불확실성을 추출한 표본 가운데 가장 취약한 10분의 1에 드는 비율.",
+            ko: "최취약 10 %에 들 확률: 불확실성을 추출한 표본 가운데 가장 취약한 10분의 1에 드는 비율.",
         },
     }
 }

@@ -26,7 +26,7 @@ messages! {
         },
         SlendernessAngle => {
             en: "Half width over the height of the centroid above it, the least of all joints (tan α); or the row above",
-            ko: "접합면 반폭을 그 위 무게 중심 높이로 나눈 값 중 최소(tan α). 위 항목으로 대신할 수 있음",
+            ko: "접합면 반폭을 그 위 무게중심 높이로 나눈 값 중 최소(tan α). 위 항목으로 대신할 수 있음",
         },
         Taper => { en: "Angle by which the body narrows upwards (φ)", ko: "탑신이 위로 좁아지는 각도(체감도 φ)" },
         BaseRatio => { en: "Height of all storeys over the height of the base", ko: "탑신 전체 높이를 기단 높이로 나눈 값" },

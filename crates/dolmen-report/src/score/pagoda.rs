@@ -32,7 +32,7 @@ messages! {
         Designs => { en: "of designs", ko: "비교 대상 수" },
         NoProof => {
             en: "A score puts pagodas into order; it is no proof that one stands. Where it matters, simulate the pagoda as it is: `dolmen study`.",
-            ko: "점수는 석탑의 순서를 정할 뿐이며 안전의 증명이 아니다. 중요한 석탑은 실제 조건으로 시뮬레이션한다: `dolmen study`.",
+            ko: "점수는 석탑의 우선순위를 정하는 데 쓸 뿐, 안전성을 보증하지 않는다. 중요한 석탑은 실제 조건으로 시뮬레이션한다: `dolmen study`.",
         },
         Conditions { friction: Quantity, stiffness: Quantity, damaged: Quantity, falls: Quantity } => {
             en: "It holds for friction {friction}, whole square stones without damage, and joints of K_n {stiffness} on springs: of one pagoda, rigid joints needed {damaged} times the shaking for DS3 and {falls} times to fall.",

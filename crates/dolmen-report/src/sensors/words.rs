@@ -10,7 +10,7 @@ messages! {
         Head(name: Both) => { en: "Sensors for {name}", ko: "{name}: 센서 배치" },
         TellsApart { modes: usize, mac: Quantity, share: Quantity } => {
             en: "These sensors tell all {modes} modes apart: MAC of two modes {mac} at most, and of each mode they read at least {share} of its largest motion.",
-            ko: "이 센서로 모드 {modes}개를 모두 구별한다. 두 모드의 MAC은 {mac} 이하이고, 모드마다 최대 변위의 {share} 이상을 측정한다.",
+            ko: "이 센서로 모드 {modes}개를 모두 구별한다. 두 모드의 MAC은 {mac} 이하이고, 모드마다 최대 변위의 적어도 {share}을(를) 측정한다.",
         },
         SeesOne(share: Quantity) => {
             en: "These sensors read {share} of the mode's largest motion.",
@@ -18,7 +18,7 @@ messages! {
         },
         TellsApartByFrequency { modes: usize, mac: Quantity, share: Quantity } => {
             en: "These sensors read at least {share} of the largest motion of each of {modes} modes, but two of the modes look much alike to them (MAC {mac}): only their frequencies tell those apart.",
-            ko: "이 센서는 모드 {modes}개 각각의 최대 변위를 {share} 이상 측정한다. 그러나 두 모드는 형상이 비슷하여(MAC {mac}) 고유진동수로만 구별할 수 있다.",
+            ko: "이 센서는 모드 {modes}개 각각의 최대 변위의 적어도 {share}을(를) 측정한다. 그러나 두 모드는 형상이 비슷하여(MAC {mac}) 고유진동수로만 구별할 수 있다.",
         },
         HardlySeen { mode: usize, share: Quantity } => {
             en: "Mode {mode} is hardly seen: the sensors read {share} of its largest motion. Give more sensors or axes, or raise --up-to.",
@@ -29,12 +29,12 @@ messages! {
             ko: "{mode}차와 {other}차 모드가 이 센서에서는 비슷하다(MAC {mac}). 모드형상만으로 구별할 수 없다. 센서나 축을 늘리거나 --up-to를 높인다.",
         },
         EqualJoints => {
-            en: "The file gives no stiffness: the shapes are those of equal joints at twice what stability needs.",
-            ko: "강성 입력이 없다. 모드형상은 안정에 필요한 강성의 2배인 같은 접합부의 것이다.",
+            en: "The file gives no stiffness: the shapes assume that all joints are equal, each with twice what stability needs.",
+            ko: "강성이 입력되지 않아 모든 접합부의 강성을 안정에 필요한 값의 2배로 같게 보고 모드형상을 구하였다.",
         },
         EqualStoreys => {
             en: "The file lacks stiffness in some direction: there the shapes are those of equal storeys.",
-            ko: "강성 입력이 없는 방향이 있다. 그 방향의 모드형상은 층강성이 같은 골조의 것이다.",
+            ko: "강성이 입력되지 않은 방향이 있다. 그 방향은 모든 층의 강성이 같다고 보고 모드형상을 구하였다.",
         },
         FromModel => {
             en: "The shapes are the model's. Once a first record is identified, compare them, mend the model and plan anew.",

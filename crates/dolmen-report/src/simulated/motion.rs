@@ -11,7 +11,7 @@ use dolmen_work::motion::{MotionAnswer, MotionDoubt};
 messages! {
     /// The motion of the ground.
     pub(crate) enum Motion in "simulated.motion" {
-        Caption(name: String) => { en: "Motion {name}.", ko: "지진동 {name}." },
+        Caption(name: String) => { en: "Motion {name}.", ko: "지반운동 {name}." },
         Sampled { samples: usize, step: Quantity, rate: Quantity, length: Quantity } => {
             en: "{samples} samples every {step} ({rate}), {length}.",
             ko: "표본 {samples}개, 표본 간격 {step}({rate}), 지속시간 {length}.",
@@ -34,15 +34,15 @@ messages! {
         },
         ActsStrong(peak: Quantity) => {
             en: "PROBABLY A SLIP: a motion of {peak} acts, more than in nearly all records ever made. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
-            ko: "입력 오류 의심: 최대 {peak}의 지진동이 작용하며 이는 거의 모든 계측 기록보다 크다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
+            ko: "입력 오류 의심: 최대 {peak}의 지반운동이 작용하며 이는 거의 모든 계측 기록보다 크다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
         },
         ActsWeak(peak: Quantity) => {
             en: "PROBABLY A SLIP: a motion of only {peak} acts, which nobody would feel. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
-            ko: "입력 오류 의심: 최대 {peak}의 지진동만 작용하며 이는 느낄 수 없는 크기이다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
+            ko: "입력 오류 의심: 최대 {peak}의 지반운동만 작용하며 이는 느낄 수 없는 크기이다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
         },
         Step { component: String, step: Quantity, swings: Quantity } => {
             en: "PROBABLY A SLIP: with a step of {step} {component} swings at {swings} on average, and earthquakes swing at 0.5 to 25 Hz. Is the step in s, and not a rate in Hz or in ms?",
-            ko: "입력 오류 의심: 표본 간격 {step}에서 {component} 성분은 평균 {swings}(으)로 진동하며 지진동은 0.5~25 Hz이다. 표본 간격이 초 단위가 맞는가(표본화 진동수 Hz 또는 ms가 아닌가)?",
+            ko: "입력 오류 의심: 표본 간격 {step}에서 {component} 성분은 평균 {swings}(으)로 진동하며 지반운동은 0.5~25 Hz이다. 표본 간격이 초 단위가 맞는가(표본화 진동수 Hz 또는 ms가 아닌가)?",
         },
         Offset { component: String, away: Quantity } => {
             en: "PROBABLY A SLIP: with {component} the ground ends {away} away, farther than in any earthquake. Its acceleration has an offset: take it off with --baseline or --high-pass.",

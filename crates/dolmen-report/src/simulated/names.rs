@@ -18,7 +18,7 @@ messages! {
         },
         Cut { end: Quantity, whole: Quantity, ending: Sentence } => {
             en: "the run ended before the motion: {end} of its {whole} were run; no verdict. Until then: {ending}",
-            ko: "지진동이 끝나기 전에 해석을 마쳐 판정하지 않는다({whole} 중 {end}까지 해석). 그때까지: {ending}",
+            ko: "지반운동이 끝나기 전에 해석을 마쳐 판정하지 않는다({whole} 중 {end}까지 해석). 그때까지: {ending}",
         },
         Stopped(at: Quantity) => {
             en: "the run was stopped at {at}, before its end: no verdict; all values are of the part that was done.",

@@ -8,7 +8,7 @@ messages! {
     pub(crate) enum Beside in "stack.beside" {
         Springs { supports: usize } => {
             en: "Side supports that the natural frequencies count as springs, with the stiffness of the file: {supports}. Thresholds leave them out.",
-            ko: "고유진동수에 스프링으로 반영한 측면 지지: {supports}개(파일의 강성). 한계 가속도 등 판정에는 반영하지 않는다.",
+            ko: "고유진동수에 스프링으로 반영한 측면 지지: {supports}개(파일의 강성). 거동 시작 가속도 등 판정에는 반영하지 않는다.",
         },
         OneWay { supports: usize } => {
             en: "Side supports that push in one half of each swing alone (no gap, not pressed at rest, none as stiff opposite): {supports}. The natural frequencies here are those without them; the true ones are higher, and what a survey measures of them is no stiffness of the joints.",

@@ -5,7 +5,7 @@ use super::lean::lean;
 use super::mechanism::moving;
 use super::notes::{is_less, note};
 use super::verdict::banner;
-use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
+use super::words::{at, direction, first_with_ties, joint_moves, moves_together, parts_with_ties};
 use super::{narrow_beds, soil, supports};
 use crate::document::{Finding, Tone};
 use dolmen::assess::StackNote;
@@ -19,19 +19,23 @@ messages! {
     pub(crate) enum Found in "stack.findings" {
         First { moves: Sentence, at: Sentence } => {
             en: "First {moves}, at {at}. That is the first motion, not collapse: how far it goes needs a time history.",
-            ko: "{at}에서 가장 먼저 {moves}. 이는 최초 거동이지 붕괴가 아니며, 그 이후는 시간이력 해석이 필요하다.",
+            ko: "{at}에서 가장 먼저 {moves}. 이는 최초 거동이지 붕괴가 아니며, 그 이후는 시간이력해석이 필요하다.",
         },
         Together { direction: Sentence } => {
             en: "Several stones move together first, towards {direction}; a limit analysis finds it.",
-            ko: "여러 부재가 {direction} 방향으로 함께 먼저 움직인다(한계해석 결과).",
+            ko: "가장 먼저 {direction} 방향으로 여러 부재가 함께 움직인다(한계해석 결과).",
         },
         TogetherAt { direction: Sentence, joints: Sentence } => {
             en: "Several stones move together first, towards {direction}: {joints}; a limit analysis finds it.",
-            ko: "여러 부재가 {direction} 방향으로 함께 먼저 움직인다: {joints}(한계해석 결과).",
+            ko: "가장 먼저 {direction} 방향으로 여러 부재가 함께 움직인다: {joints}(한계해석 결과).",
         },
         WithTies { moves: Sentence, at: Sentence } => {
             en: "With every tie at its strength first {moves}, at {at}.",
             ko: "모든 연결재가 강도까지 작용하면 {at}에서 가장 먼저 {moves}.",
+        },
+        PartWithTies { moves: Sentence, at: Sentence, without: Sentence } => {
+            en: "As one part, with every tie at its strength, {moves}, at {at}; without ties at {without}. Stones that share their load may move sooner.",
+            ko: "한 부분으로 보고 모든 연결재가 강도까지 작용하면 {at}에서 {moves}(연결재가 없으면 {without}). 하중을 나누어 지지하는 석재는 더 일찍 움직일 수 있다.",
         },
     }
 }
@@ -78,6 +82,14 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     if let Some(with) = first_with_ties(&check.limits) {
         let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));
         all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
+    }
+    for (with, without) in parts_with_ties(&check.limits) {
+        let said = Found::PartWithTies {
+            moves: joint_moves(&check.limits, &with),
+            at: at(&with.threshold),
+            without: at(&without),
+        };
+        all.push(Finding::new(Tone::Plain, said));
     }
     all.extend(soil::finding(answer));
     all.extend(answer.lean.as_ref().map(lean));

@@ -16,7 +16,7 @@ messages! {
         Caption => { en: "The mechanism.", ko: "메커니즘." },
         Falls => {
             en: "The joints at which it falls under its own weight.",
-            ko: "자중으로 무너질 때 움직이는 접합면.",
+            ko: "자중으로 붕괴할 때 움직이는 접합면.",
         },
         Sways => {
             en: "The joints that move first when it is shaken the way that it bears least.",
@@ -24,7 +24,7 @@ messages! {
         },
         Joint => { en: "Joint", ko: "접합면" },
         Motion => { en: "motion", ko: "거동" },
-        ClosedX => { en: "stays closed at x", ko: "닫힌 곳 x" },
+        ClosedX => { en: "stays closed at x", ko: "접촉 유지 위치 x" },
         ClosedY => { en: "y", ko: "y" },
         ClosedZ => { en: "z", ko: "z" },
         Between { lower: Sentence, upper: Sentence } => { en: "{lower} – {upper}", ko: "{lower} – {upper}" },

@@ -53,11 +53,11 @@ messages! {
         Governing => { en: "What governs each joint.", ko: "접합면별 지배 거동." },
         GoverningMeaning => {
             en: "Points on the slope rock first, points on the level slide first. B/H is the slope from the centroid of what stands on the joint to its nearer edge.",
-            ko: "경사선 위의 점은 로킹이, 수평선 위의 점은 미끄러짐이 먼저 일어난다. B/H는 접합면 상부의 무게 중심에서 가까운 모서리까지의 기울기이다.",
+            ko: "경사선 위의 점은 로킹이, 수평선 위의 점은 미끄러짐이 먼저 일어난다. B/H는 접합면 상부의 무게중심에서 가까운 모서리까지의 기울기이다.",
         },
         Capacity => {
             en: "Capacity of each joint alone, lowest at the bottom; several stones may move together before (table above).",
-            ko: "접합면별 저항 가속도(아래가 최하단). 여러 부재가 함께 더 일찍 움직일 수 있다(위의 표).",
+            ko: "접합면별 거동 시작 가속도(아래가 최하단). 여러 부재가 함께 더 일찍 움직일 수 있다(위의 표).",
         },
         CapacityTinted => {
             en: "In the tinted part the ground alone moves it.",

@@ -42,23 +42,23 @@ messages! {
         },
         FrictionCarries => {
             en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",
-            ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며, 미끄러지는 접합면은 다른 힘을 택할 수 있으므로 서 있음을 증명하지는 않는다. 자중에 대한 시간이력 해석을 하지 않았으므로 판정은 '여유 부족'을 넘지 않는다.",
+            ko: "하중 지지에 마찰이 필요하다. 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며, 미끄러지는 접합면은 다른 힘을 택할 수 있으므로 서 있음을 증명하지는 않는다. 자중에 대한 시간이력해석을 하지 않았으므로 판정은 '여유 부족'을 넘지 않는다.",
         },
         FrictionStood => {
             en: "Friction carries it: forces that balance the weight exist, which alone does not prove that it stands; in a run under its own weight, on the springs of its joints, it stood.",
-            ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하며(필요조건), 접촉 스프링 위에서 자중에 대한 시간이력 해석을 한 결과 서 있었다.",
+            ko: "하중 지지에 마찰이 필요하다. 자중과 평형을 이루는 힘이 존재하며(필요조건), 접촉 스프링 위의 자중 시간이력해석에서 안정을 유지하였다.",
         },
         FrictionFell { stone: String } => {
             en: "Friction would have to carry it: forces that balance the weight exist, but in a run under its own weight, on the springs of its joints, '{stone}' fell.",
-            ko: "마찰이 하중을 지탱하여야 한다: 자중과 평형을 이루는 힘은 존재하나, 접촉 스프링 위에서 자중에 대한 시간이력 해석을 한 결과 ‘{stone}’이(가) 떨어졌다.",
+            ko: "하중 지지에 마찰이 필요하다. 자중과 평형을 이루는 힘은 존재하나, 접촉 스프링 위에서 자중에 대한 시간이력해석을 한 결과 ‘{stone}’이(가) 떨어졌다.",
         },
         FrictionNoRest => {
             en: "Friction would have to carry it: forces that balance the weight exist, but a run under its own weight, on the springs of its joints, found no rest. It is not known to stand.",
-            ko: "마찰이 하중을 지탱하여야 한다: 자중과 평형을 이루는 힘은 존재하나, 접촉 스프링 위에서 자중에 대한 시간이력 해석이 정지 상태에 이르지 않아 서 있다고 판정할 수 없다.",
+            ko: "하중 지지에 마찰이 필요하다. 자중과 평형을 이루는 힘은 존재하나, 접촉 스프링 위에서 자중에 대한 시간이력해석이 정지 상태에 이르지 않아 서 있다고 판정할 수 없다.",
         },
         FrictionNotRun { stones: usize, most: usize } => {
             en: "Friction carries it: forces that balance the weight exist, which alone does not prove that it stands. A run under its own weight would; with {stones} stones, more than {most}, a check makes none: simulate it.",
-            ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며 서 있음을 증명하지는 않는다. 부재가 {stones}개로 {most}개를 넘어 자중에 대한 시간이력 해석을 하지 않았다. simulate로 해석한다.",
+            ko: "하중 지지에 마찰이 필요하다. 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며 서 있음을 증명하지는 않는다. 부재가 {stones}개로 {most}개를 넘어 자중에 대한 시간이력해석을 하지 않았다. simulate로 해석한다.",
         },
         StrengthInside => {
             en: "The limit analysis takes what joints of finite strength bear from inside, as mixtures of blocks of full stress: on the safe side, by at most 1.3 % of the moment about an edge and 4 % askew (6 % and 12 % with more than 25 joints).",
@@ -118,7 +118,7 @@ messages! {
         },
         NoTies => {
             en: "Ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand beside it.",
-            ko: "연결재는 저항 가속도에 포함하지 않았으며(안전측), 강도까지 작용할 때의 값을 함께 제시한다.",
+            ko: "연결재는 거동 시작 가속도에 포함하지 않았으며(안전측), 강도까지 작용할 때의 값을 함께 제시한다.",
         },
         NoPeriod => {
             en: "The first period is not known, so what elastic joints add to the shaking is not in the comparison.",

@@ -33,8 +33,12 @@ messages! {
             ko: "하중을 나누어 지지하는 석재의 모서리가 압괴한다: 압축강도 {strength}에서는 자중과 평형을 이루는 접합력이 없다",
         },
         SoilTurns { stiffness: Quantity, least: Quantity } => {
-            en: "the soil turns away under the stack: its rocking stiffness is {stiffness}, and weight times height of the centroid is {least}",
-            ko: "지반의 회전 강성 {stiffness}이(가) 필요한 값(자중 × 무게 중심 높이) {least}보다 작다",
+            en: "the soil turns away under the stack: its rocking stiffness is {stiffness}, and weights and loads times their heights are {least}",
+            ko: "지반의 회전 강성 {stiffness}이(가) 필요한 값(자중과 하중에 각각의 높이를 곱한 합) {least}보다 작다",
+        },
+        SoilOverturns { moment: Quantity, bears: Quantity } => {
+            en: "static loads overturn the footing on its soil: their moment is {moment}, and it bears {bears}",
+            ko: "정하중이 지반 위의 기초를 전도시킨다: 모멘트 {moment}이(가) 기초가 견디는 {bears}을(를) 넘는다",
         },
     }
 }
@@ -84,6 +88,13 @@ pub(super) fn standing(of: &Standing) -> Sentence {
         } => Reason::SoilTurns {
             stiffness: engineering(*stiffness_n_m_rad, "N·m/rad"),
             least: engineering(*least_n_m_rad, "N·m/rad"),
+        },
+        Standing::SoilOverturns {
+            moment_n_m,
+            bears_n_m,
+        } => Reason::SoilOverturns {
+            moment: engineering(*moment_n_m, "N·m"),
+            bears: engineering(*bears_n_m, "N·m"),
         },
     };
     said.into()

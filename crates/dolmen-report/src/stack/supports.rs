@@ -29,7 +29,7 @@ messages! {
         },
         StandsBeyond { movements: Sentence, factor: Quantity, length: Quantity } => {
             en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood. Stones that slide or meet anew are not followed: `dolmen simulate` follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
-            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 서 있었다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 `dolmen simulate`의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
+            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 안정을 유지하였다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 `dolmen simulate`의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
         },
         FallsBefore { movements: Sentence, factor: Quantity, length: Quantity } => {
             en: "Supports that move: {movements}. It does not stand under that: beyond {factor} of it ({length}) no forces in the joints balance the weight.",
@@ -62,9 +62,9 @@ messages! {
         Given => { en: "as given", ko: "주어진 변위" },
         Last => { en: "the most", ko: "최대 변위" },
         Times => { en: "times", ko: "배율" },
-        ForceX => { en: "Fx", ko: "x방향 힘" },
-        ForceY => { en: "Fy", ko: "y방향 힘" },
-        ForceZ => { en: "Fz", ko: "z방향 힘" },
+        ForceX => { en: "Fx", ko: "x 방향 힘" },
+        ForceY => { en: "Fy", ko: "y 방향 힘" },
+        ForceZ => { en: "Fz", ko: "z 방향 힘" },
         First => { en: "Joints as the supports begin to move.", ko: "지점이 움직이기 시작할 때의 접합면." },
         AtTheEnd => {
             en: "Joints at the largest movement in which it stood.",

@@ -18,7 +18,7 @@ messages! {
         },
         MovesUnknown { margin: Sentence } => {
             en: "Margin without shaking {margin}; what moves it first is not known.",
-            ko: "지진이 없을 때의 여유도는 {margin}이며, 최초 거동은 알 수 없다.",
+            ko: "지진이 없을 때의 여유도는 {margin}이며, 거동 시작 가속도는 알 수 없다.",
         },
         Weight => { en: "the weight", ko: "자중" },
         WeightAndLoads => { en: "the weight and the static loads", ko: "자중·정하중" },
@@ -28,7 +28,7 @@ messages! {
         },
         AdmissibleBetween { what: Sentence, at: Sentence, most: Quantity, tilt: Quantity } => {
             en: "Forces in the joints can balance {what}. It begins to move between {at} and {most} horizontal, by how its joints are pressed; {at} counts, or ground that tilts by {tilt}.",
-            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 접합면이 눌린 상태에 따라 수평 가속도 {at}~{most}에서 움직이기 시작하며, {at}(지반 기울기 {tilt})으로 판정한다.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 접합면이 눌린 상태에 따라 수평 가속도 {at}~{most}에서 움직이기 시작하며, {at}을(를) 기준으로 판정한다(지반 기울기 {tilt}).",
         },
         AdmissibleAtMost { what: Sentence, at: Sentence, tilt: Quantity } => {
             en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less: an upper bound.",
@@ -52,7 +52,7 @@ messages! {
         },
         Thresholds { limit: Quantity, below: Quantity, least: Quantity } => {
             en: "stable: margin ≥ {limit}, and where friction carries stones that share their load, a run under their own weight that stood · marginal: below {below}, or moves below {least} · unstable: it does not stand. The margin is what is left, without shaking, of the way from the middle of a joint to its edge, or of friction. An earthquake is not in this verdict.",
-            ko: "안정: 여유도 ≥ {limit}(하중을 나누어 지지하는 부재를 마찰이 지탱하면 자중 시간이력 해석에서도 서 있어야 함) · 여유 부족: {below} 미만이거나 {least} 미만에서 움직임 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다.",
+            ko: "안정: 여유도 ≥ {limit}(하중을 나누어 지지하는 부재가 마찰로 지지되면 자중 시간이력해석에서도 안정하여야 함) · 여유 부족: {below} 미만이거나 {least} 미만에서 움직임 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다.",
         },
     }
 }

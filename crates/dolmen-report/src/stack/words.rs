@@ -121,6 +121,27 @@ pub(super) fn first_with_ties(limits: &StackLimitStates) -> Option<&Governing> {
     (with.threshold.acceleration_g > without.threshold.acceleration_g).then_some(with)
 }
 
+/// Parts that ties hold, with every tie at its strength, where stones share their load and no cut governs alone.
+pub(super) fn parts_with_ties(limits: &StackLimitStates) -> Vec<(Governing, Threshold)> {
+    let sooner = |cut: usize, uplift: Option<Threshold>, sliding: Option<Threshold>| {
+        let of = |kind: LimitKind, found: Option<Threshold>| {
+            found.map(|threshold| Governing { kind, cut, threshold })
+        };
+        let both = [of(LimitKind::Uplift, uplift), of(LimitKind::Sliding, sliding)];
+        let both = both.into_iter().flatten();
+        both.min_by(|a, b| a.threshold.acceleration_g.total_cmp(&b.threshold.acceleration_g))
+    };
+    let each = limits.cuts.iter().enumerate().filter_map(|(index, cut)| {
+        let with = sooner(index, cut.uplift_with_ties, cut.sliding_with_ties)?;
+        let without = sooner(index, cut.uplift, cut.sliding)?.threshold;
+        (with.threshold.acceleration_g > without.acceleration_g).then_some((with, without))
+    });
+    match limits.statically_determinate {
+        true => Vec::new(),
+        false => each.collect(),
+    }
+}
+
 pub(super) fn verdict_word(verdict: Verdict) -> Words {
     match verdict {
         Verdict::Stable => Words::Stable,

@@ -42,7 +42,7 @@ messages! {
         },
         NoWind => {
             en: "The wind of the file does not blow during the motion.",
-            ko: "지진동이 작용하는 동안 입력한 풍하중은 고려하지 않았다.",
+            ko: "지반운동이 작용하는 동안 입력한 풍하중은 고려하지 않았다.",
         },
         SupportsAsDrawn => {
             en: "The movement of supports in the file is not in this run: the stones are shaken as drawn, with their joints closed. Joints that a support has opened leave less.",

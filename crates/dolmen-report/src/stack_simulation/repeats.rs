@@ -30,11 +30,11 @@ messages! {
         },
         All { friction: Quantity, edges: Quantity, motion: Quantity } => {
             en: "friction ± {friction}, edges of beds ± {edges}, motion ± {motion}",
-            ko: "마찰 ± {friction}, 접합면 모서리 ± {edges}, 지진동 ± {motion}",
+            ko: "마찰 ± {friction}, 접합면 모서리 ± {edges}, 지반운동 ± {motion}",
         },
         WithoutEdges { friction: Quantity, motion: Quantity } => {
             en: "friction ± {friction}, motion ± {motion}",
-            ko: "마찰 ± {friction}, 지진동 ± {motion}",
+            ko: "마찰 ± {friction}, 지반운동 ± {motion}",
         },
         Range { median: Quantity, least: Quantity, most: Quantity } => {
             en: "{median} ({least} to {most})",

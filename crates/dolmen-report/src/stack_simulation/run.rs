@@ -65,7 +65,7 @@ messages! {
         },
         Settled { by: Quantity } => {
             en: "Before the motion the highest stone settled by {by} on the springs.",
-            ko: "지진동 작용 전에 최상부 부재는 접촉 스프링 위에서 자중으로 {by} 내려앉았다.",
+            ko: "지반운동 작용 전에 최상부 부재는 접촉 스프링 위에서 자중으로 {by} 내려앉았다.",
         },
         Impacts { impacts: usize, resting: usize, residual: Quantity, depth: Quantity } => {
             en: "Impacts: {impacts}; steps at rest on the ground: {resting}. Every joint obeys its law to {residual}, and no stone lies deeper than {depth} in another.",

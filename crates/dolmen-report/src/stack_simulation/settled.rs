@@ -28,6 +28,10 @@ messages! {
             en: "{count} of the stones leave their places before all are at rest, '{block}' farthest, by {moved} and {turned}.",
             ko: "돌 {count}개가 자리를 벗어난 뒤에야 모두 멈춘다. 가장 많이 벗어난 ‘{block}’의 이동은 {moved}, 회전은 {turned}이다.",
         },
+        LeftOne { block: String, moved: Quantity, turned: Quantity } => {
+            en: "'{block}' leaves its place before all are at rest, by {moved} and {turned}.",
+            ko: "‘{block}’이(가) 자리를 벗어난 뒤에야 모두 멈춘다. 이동은 {moved}, 회전은 {turned}이다.",
+        },
         Moving { block: String, length: Quantity } => {
             en: "'{block}' still moves after {length}: there is no verdict.",
             ko: "{length} 뒤에도 ‘{block}’이(가) 멈추지 않아 판정하지 않는다.",
@@ -52,8 +56,8 @@ messages! {
         },
         OneLaw => { en: "Only one law gave a result: the other may differ.", ko: "한 접촉 법칙의 결과만 있으며 다른 법칙의 결과와 다를 수 있다." },
         Scale => {
-            en: "stable: by both laws all stones come to rest in their places · unstable: by both some leave them · unknown: the laws differ, or a run has no end. An earthquake is not in this word.",
-            ko: "안정: 두 접촉 법칙 모두에서 모든 돌이 제자리에 안착 · 불안정: 모두에서 일부가 자리를 벗어남 · 판정 불가: 두 법칙의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
+            en: "stable: by both laws all stones come to rest in their places · unstable: by both some leave them, wherever they come to rest · unknown: the laws differ, or a run has no end. An earthquake is not in this word.",
+            ko: "안정: 두 접촉 법칙 모두에서 모든 돌이 제자리에 안착 · 불안정: 모두에서 일부가 자리를 벗어남(멈춘 위치와 무관) · 판정 불가: 두 법칙의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
         },
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         LeftOut { law: Sentence, why: String } => {
@@ -205,6 +209,7 @@ fn ending(of: &SettledSimulation, stones: &LooseStones) -> Sentence {
             moved,
             turned,
         },
+        LooseEnding::Fell if stones.left().len() == 1 => Settled::LeftOne { block, moved, turned },
         LooseEnding::Fell => Settled::Left {
             count: stones.left().len(),
             block,

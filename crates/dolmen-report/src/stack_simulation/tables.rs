@@ -25,7 +25,7 @@ messages! {
         YawLeft => { en: "yaw left", ko: "잔류 회전" },
         Bearing => { en: "load / bearable", ko: "하중/지지력" },
         Below { least: Quantity } => { en: "< {least}", ko: "< {least}" },
-        Versions => { en: "Variants under the motion.", ko: "지진동 작용 시 대안 비교." },
+        Versions => { en: "Variants under the motion.", ko: "지반운동 작용 시 대안 비교." },
         VersionsMeaning => {
             en: "The largest value of all joints. One run each: a stack that rocks is sensitive to every input.",
             ko: "모든 접합면 중 최댓값. 각 1회 해석이며, 로킹하는 적층 구조는 모든 입력에 민감하다.",

@@ -14,7 +14,7 @@ messages! {
     pub(crate) enum Preceded in "study.before" {
         After(motion: String) => {
             en: "AFTER {motion}: every run begins with it, and capacities are what is left of the structure, not those of the structure as it stands.",
-            ko: "{motion} 이후: 모든 해석이 이 지반운동으로 시작하므로, 한계 지진동은 현 상태가 아니라 그 뒤에 남은 구조물의 값이다.",
+            ko: "{motion} 이후: 모든 해석이 이 지반운동으로 시작하므로, 한계 지반운동은 현 상태가 아니라 그 뒤에 남은 구조물의 값이다.",
         },
         NoRates => {
             en: "No rates a year: how often the ground shakes after another earthquake is not the hazard of the site.",

@@ -50,34 +50,34 @@ messages! {
         },
         OneState => {
             en: "The milder state is a median; “≤”: reached at the least size that was tried.",
-            ko: "경미한 상태의 값은 중앙값이며, ‘≤’는 시도한 최소 크기에서 이미 도달한 경우이다.",
+            ko: "낮은 손상상태의 값은 증분해석의 중앙값이며, ‘≤’는 시도한 최소 크기에서 이미 도달한 경우이다.",
         },
         BuildingStates => {
             en: "A linear building drifts in proportion: limits are medians, exact up to the largest size that was tried; beyond yielding they say little.",
-            ko: "선형 건물의 층간변위는 지진동에 비례한다. 한계는 중앙값이며 시도한 최대 크기까지 정확하나, 항복 이후에는 의미가 적다.",
+            ko: "선형 건물의 층간변위는 지반운동에 비례한다. 한계는 중앙값이며 시도한 최대 크기까지 정확하나, 항복 이후의 거동은 나타내지 못한다.",
         },
         NoSlip => {
             en: "Slips: no storey slipped before the frame leaned too far, so there is no such state.",
             ko: "골조가 한계를 넘기 전에 미끄러진 층이 없으므로 미끄러짐 상태는 없다.",
         },
         Scans => { en: "scans", ko: "증분해석" },
-        Fell => { en: "fell", ko: "붕괴" },
+        Fell => { en: "fell", ko: "한계 도달" },
         Least => { en: "least", ko: "최소" },
         Low => { en: "5 %", ko: "5 %" },
         Median => { en: "median", ko: "중앙값" },
         High => { en: "95 %", ko: "95 %" },
-        SurvivedAbove => { en: "survived above", ko: "더 큰 지진동에서 유지" },
+        SurvivedAbove => { en: "survived above", ko: "더 큰 지반운동에서도 견딤" },
         Unusable => { en: "unusable", ko: "사용 불가" },
         Variant { value: Sentence } => { en: "variant {value}", ko: "대안 {value}" },
         At { input: Sentence, value: Sentence } => { en: "{input} = {value}", ko: "{input} = {value}" },
         All => { en: "all", ko: "전체" },
         FellAtLeast { at_once: usize, all: Sentence } => {
             en: "{at_once} of {all} fell at the least size that was asked for; what lies below was only halved, and falls there may have been passed over: scan smaller sizes.",
-            ko: "{all} 중 {at_once}건이 요청한 최소 크기에서 붕괴하였다. 그 아래는 반씩 줄여 가며 확인하였을 뿐이므로 더 작은 붕괴를 지나쳤을 수 있다. 더 작은 크기부터 해석해야 한다.",
+            ko: "{all} 중 {at_once}건이 요청한 최소 크기에서 한계에 이르렀다. 그 아래는 반씩 줄여 가며 확인하였을 뿐이므로 더 작은 크기에서 한계에 이른 경우를 지나쳤을 수 있다. 더 작은 크기부터 해석해야 한다.",
         },
         SurvivedLarger { above: usize, all: Sentence } => {
             en: "{above} of {all} survived a size of shaking above the first fall: one critical acceleration says little.",
-            ko: "{all} 중 {above}건은 처음 붕괴한 크기보다 더 큰 지진동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다.",
+            ko: "{all} 중 {above}건은 처음 한계에 이른 크기보다 더 큰 지반운동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다.",
         },
     }
 }

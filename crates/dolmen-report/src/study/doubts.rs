@@ -14,7 +14,7 @@ messages! {
     pub(crate) enum LeftOut in "study.left-out" {
         Unusable { out: usize, jobs: Sentence } => {
             en: "{out} of {jobs} cannot be used and are in no quantile and no trend: runs below their first fall were refused or gave no result. Their brackets are in capacities.csv.",
-            ko: "{jobs} 중 {out}건은 최초 붕괴보다 작은 지진동에서 결과를 얻지 못하여 사용할 수 없으며, 분위수와 경향에서 제외하였다. 붕괴 가속도의 범위는 capacities.csv에 있다.",
+            ko: "{jobs} 중 {out}건은 최초 붕괴보다 작은 지반운동에서 결과를 얻지 못하여 사용할 수 없으며, 분위수와 경향에서 제외하였다. 붕괴 가속도의 범위는 capacities.csv에 있다.",
         },
         One { number: usize, scan: Sentence, why: Sentence } => {
             en: "Scan {number} ({scan}): {why}.",

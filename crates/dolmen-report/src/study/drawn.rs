@@ -28,7 +28,7 @@ messages! {
             en: "Probability of reaching each damage state against peak ground acceleration; bands from resampled motions.",
             ko: "최대지반가속도에 따른 손상상태 도달 확률과 지반운동 재표집에 따른 범위.",
         },
-        Growth => { en: "As the shaking grows.", ko: "지진동 증가에 따른 변화." },
+        Growth => { en: "As the shaking grows.", ko: "지반운동 증가에 따른 변화." },
         GrowthOf => {
             en: "Largest over the storeys, or links and joints.",
             ko: "층(또는 부재·접합면) 중 최댓값.",

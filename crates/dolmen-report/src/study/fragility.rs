@@ -30,7 +30,7 @@ messages! {
         },
         RiskMeaning => {
             en: "In brackets the annual rate at the ends of both intervals, open where more than half of it would come from shaking weaker than any of the hazard, or where it would exceed one a year; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
-            ko: "괄호는 두 신뢰구간의 끝에서의 연간 초과율이며, 절반 넘게 재해도보다 약한 지진동에서 나오거나 연 1회를 넘으면 상한을 제시하지 않는다. 재해도 범위 밖: 재해도가 주어지지 않은 지진동에서 나온 초과율의 비율.",
+            ko: "괄호는 두 신뢰구간의 끝에서의 연간 초과율이며, 절반 넘게 재해도보다 약한 지반운동에서 나오거나 연 1회를 넘으면 상한을 제시하지 않는다. 재해도 범위 밖: 재해도가 주어지지 않은 지반운동에서 나온 초과율의 비율.",
         },
         Reached => { en: "reached", ko: "도달" },
         Theta => { en: "θ", ko: "θ" },
@@ -49,7 +49,7 @@ messages! {
         More(more: usize) => { en: "And {more} more: fragility.csv.", ko: "그 밖의 {more}개 조합은 fragility.csv에 있다." },
         TwoMedians => {
             en: "θ is the median of the fitted curve. The median among the capacities is that of the scans themselves, to a step of the scan: the two differ where capacities are not lognormal, and where fewer than half of the scans reached the state.",
-            ko: "θ는 적합한 곡선의 중앙값이다. 한계 지진동 표의 중앙값은 증분해석 결과 자체의 중앙값으로 증분 간격까지 구하였다. 한계 지진동이 대수정규분포를 따르지 않거나 도달한 증분해석이 절반 미만이면 둘은 다르다.",
+            ko: "θ는 적합한 곡선의 중앙값이다. 한계 지반운동 표의 중앙값은 증분해석 결과 자체의 중앙값으로 증분 간격까지 구하였다. 한계 지반운동이 대수정규분포를 따르지 않거나 도달한 증분해석이 절반 미만이면 둘은 다르다.",
         },
         Records { motions: usize, records: usize } => {
             en: "The {motions} motions are of {records} records: directions and copies of one record count as one motion, in curves, intervals and bands.",

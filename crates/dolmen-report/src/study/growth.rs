@@ -11,8 +11,8 @@ const SCANS_MOST: usize = 6;
 messages! {
     /// Growing shaking.
     pub(crate) enum Growth in "study.growth" {
-        OfFrame => { en: "As the shaking grows: largest over the storeys.", ko: "지진동 증가에 따른 변화: 층 중 최댓값." },
-        OfChain => { en: "As the shaking grows: largest over the links and joints.", ko: "지진동 증가에 따른 변화: 부재와 접합면 중 최댓값." },
+        OfFrame => { en: "As the shaking grows: largest over the storeys.", ko: "지반운동 증가에 따른 변화: 층 중 최댓값." },
+        OfChain => { en: "As the shaking grows: largest over the links and joints.", ko: "지반운동 증가에 따른 변화: 부재와 접합면 중 최댓값." },
         Sizes => { en: "Some sizes of each scan; all are in runs.csv.", ko: "증분해석별 일부 크기이며 전체는 runs.csv에 있다." },
         Scan => { en: "scan", ko: "증분해석" },
         Peak => { en: "peak", ko: "최대지반가속도" },

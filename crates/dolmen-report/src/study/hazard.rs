@@ -30,7 +30,7 @@ messages! {
         },
         Extrapolated { shares: Vec<Sentence> } => {
             en: "Extrapolated: shaking beyond these peaks, where the slope of the ends goes on and nobody gave it, makes {shares}.",
-            ko: "외삽: 재해도가 주어지지 않아 끝 기울기를 연장한 범위의 지진동이 {shares}을(를) 차지한다.",
+            ko: "외삽: 재해도가 주어지지 않아 끝 기울기를 연장한 범위의 지반운동이 {shares}을(를) 차지한다.",
         },
         Share { share: Quantity, state: Sentence } => {
             en: "{share} of the rate of {state}",

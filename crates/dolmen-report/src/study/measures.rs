@@ -10,7 +10,7 @@ messages! {
     pub(crate) enum Measures in "study.measures" {
         Caption => {
             en: "Scatter β of the capacity by each measure of the shaking: the one with the least tells most.",
-            ko: "지진동 세기 척도별 내력의 대수 표준편차 β. 작을수록 내력을 잘 설명한다.",
+            ko: "지반운동 세기 척도별 내력의 대수 표준편차 β. 작을수록 내력을 잘 설명한다.",
         },
         NoCurve => {
             en: "–: no curve, as where the scatter is below the steps of the scan.",

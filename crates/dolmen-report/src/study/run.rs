@@ -13,7 +13,7 @@ messages! {
     pub(crate) enum Done in "study.run" {
         Runs { runs: Sentence, cases: Sentence, motions: Sentence, directions: Sentence } => {
             en: "{runs} of {cases} under {motions} in {directions}, each at growing shaking.",
-            ko: "{cases}, {motions}, {directions}에 대해 지진동을 키워 가며 모두 {runs} 해석하였다.",
+            ko: "{cases}, {motions}, {directions}에 대해 지반운동을 키워 가며 모두 {runs} 해석하였다.",
         },
         Samples { samples: usize, seed: String } => {
             en: "Inputs of each combination were drawn {samples} times, from seed {seed}.",
@@ -23,11 +23,11 @@ messages! {
         OnePeak(peak: Quantity) => { en: "Peak of the ground: {peak}.", ko: "최대지반가속도는 {peak}이다." },
         Scales { count: usize, first: Quantity, last: Quantity, part: Sentence } => {
             en: "{count} scales from {first} to {last}; the first fall is sought to {part} of a step.",
-            ko: "배율 {count}개({first}–{last})로 해석하였으며, 최초 붕괴는 간격의 {part}까지 좁혀 구하였다.",
+            ko: "배율 {count}개({first}–{last})로 해석하였으며, 처음 한계에 이르는 크기는 간격의 {part}까지 좁혀 구하였다.",
         },
         Peaks { count: usize, first: Quantity, last: Quantity, part: Sentence } => {
             en: "{count} peaks of the ground from {first} to {last}; the first fall is sought to {part} of a step.",
-            ko: "최대지반가속도 {count}개({first}–{last})로 해석하였으며, 최초 붕괴는 간격의 {part}까지 좁혀 구하였다.",
+            ko: "최대지반가속도 {count}개({first}–{last})로 해석하였으며, 처음 한계에 이르는 크기는 간격의 {part}까지 좁혀 구하였다.",
         },
         Whole => { en: "the whole", ko: "전체" },
         Part(inverse: String) => { en: "1/{inverse}", ko: "1/{inverse}" },

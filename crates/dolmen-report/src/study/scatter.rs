@@ -22,11 +22,11 @@ messages! {
         },
         CrossBelow { mild: Sentence, severe: Sentence, at: Quantity, probability: Quantity } => {
             en: "The curves of {mild} and {severe} cross at {at}, where both have {probability}: below it the worse state is called likelier than the milder one, which cannot be.",
-            ko: "{mild}와(과) {severe}의 곡선이 {at}(확률 {probability})에서 교차한다. 그보다 작은 지진동에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
+            ko: "{mild}와(과) {severe}의 곡선이 {at}(확률 {probability})에서 교차한다. 그보다 작은 지반운동에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
         },
         CrossAbove { mild: Sentence, severe: Sentence, at: Quantity, probability: Quantity } => {
             en: "The curves of {mild} and {severe} cross at {at}, where both have {probability}: above it the worse state is called likelier than the milder one, which cannot be.",
-            ko: "{mild}와(과) {severe}의 곡선이 {at}(확률 {probability})에서 교차한다. 그보다 큰 지진동에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
+            ko: "{mild}와(과) {severe}의 곡선이 {at}(확률 {probability})에서 교차한다. 그보다 큰 지반운동에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
         },
     }
 }

@@ -13,7 +13,7 @@ messages! {
     pub(crate) enum Sufficient in "study.sufficiency" {
         Caption => {
             en: "Sufficiency of each measure: what ln of the capacity by it changes over a unit of the earthquake's property, with the probability p that such a slope comes of chance.",
-            ko: "지진동 세기 척도의 충분성: 지진 특성 한 단위에 대한 내력(로그값)의 변화와, 그런 기울기가 우연히 나타날 확률 p.",
+            ko: "지반운동 세기 척도의 충분성: 지진 특성 한 단위에 대한 내력(로그값)의 변화와, 그런 기울기가 우연히 나타날 확률 p.",
         },
         Meaning => {
             en: "A small p (below 0.05) speaks against the measure: capacities by it depend on the earthquake besides. A large one proves nothing: few motions hide a slope.",

@@ -9,7 +9,7 @@ use dolmen_work::judgement::judge;
 messages! {
     /// A project in one line.
     pub(crate) enum Line in "text.line" {
-        AsItIs(words: Both) => { en: "as it is: {words}", ko: "현재: {words}" },
+        AsItIs(words: Both) => { en: "as it is: {words}", ko: "현 상태: {words}" },
         Variant { variant: String, words: Both } => { en: "variant ‘{variant}’: {words}", ko: "대안 ‘{variant}’: {words}" },
         Modes(frequencies: Vec<Sentence>) => { en: "modes at {frequencies} Hz", ko: "고유진동수 {frequencies} Hz" },
         Frequency(of: Quantity) => { en: "{of}", ko: "{of}" },

@@ -17,8 +17,8 @@ messages! {
             ko: "입력: {floor}번 바닥 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
         },
         InVariant { variant: String, mass: Quantity, floor: usize, x: Quantity, y: Quantity, direction: Sentence } => {
-            en: "In variant {variant} it has {mass} on floor {floor} at x = {x}, y = {y}, along {direction}.",
-            ko: "대안 {variant}의 입력: {floor}번 바닥 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
+            en: "In variant “{variant}” it has {mass} on floor {floor} at x = {x}, y = {y}, along {direction}.",
+            ko: "대안 ‘{variant}’의 입력: {floor}번 바닥 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
         },
         Mode { mode: usize, frequency: Quantity, circular: Quantity, damping: Quantity, modal_mass: Quantity, ratio: Quantity } => {
             en: "Mode {mode} at {frequency} ({circular}), damping ratio {damping}; modal mass {modal_mass} at the damper, mass ratio {ratio}.",
@@ -51,7 +51,7 @@ messages! {
         },
         OffBy { share: Quantity } => {
             en: "What is designed is the best with its frequency off by {share} either way, the goal at its own.",
-            ko: "설계한 감쇠기는 진동수가 ±{share} 어긋나는 경우까지 고려한 최적이며, 표의 목표값은 어긋나지 않은 진동수의 값이다.",
+            ko: "설계한 감쇠기는 진동수가 ±{share} 어긋나는 경우까지 고려한 최적이며, 표의 목적함수값은 어긋나지 않은 진동수의 값이다.",
         },
         Caption => {
             en: "What each choice of place and tuning does.",
@@ -59,16 +59,16 @@ messages! {
         },
         OfDeviations => {
             en: "Standard deviations of the points and the goal over those without a damper; the stroke over that of the damper as in the file.",
-            ko: "관측점 표준편차와 목표값의 비제어 대비 비이며 행정은 입력한 감쇠기에 대한 비이다.",
+            ko: "감쇠기가 없을 때에 대한 관측점 표준편차의 비와 목적함수값의 비이며 행정은 입력한 감쇠기에 대한 비이다.",
         },
         OfAmplitudes => {
             en: "Largest amplitudes of the points under a harmonic load and the goal over those without a damper; the stroke over that of the damper as in the file.",
-            ko: "조화하중에 대한 관측점 최대 진폭과 목표값의 비제어 대비 비이며 행정은 입력한 감쇠기에 대한 비이다.",
+            ko: "조화하중에 대한 감쇠기가 없을 때에 대한 관측점 최대 진폭의 비와 목적함수값의 비이며 행정은 입력한 감쇠기에 대한 비이다.",
         },
         Damper => { en: "Damper", ko: "감쇠기" },
         Frequency => { en: "frequency", ko: "진동수" },
         DampingRatio => { en: "damping ratio", ko: "감쇠비" },
-        GoalHead => { en: "goal", ko: "목표값" },
+        GoalHead => { en: "goal", ko: "목적함수값" },
         Stroke => { en: "stroke", ko: "행정" },
         Position => {
             en: "Motion of the points against the place of the damper.",
@@ -80,7 +80,7 @@ messages! {
         },
         Plan => {
             en: "The goal for each place of the damper, tuned best there.",
-            ko: "위치마다 최적 동조한 경우의 목표값.",
+            ko: "위치마다 최적 동조한 경우의 목적함수값.",
         },
         PlanMeaning => { en: "Lighter is better; crosses are the points.", ko: "밝을수록 좋으며 ×는 관측점이다." },
         Robustness => { en: "What being out of tune costs.", ko: "동조 오차의 영향." },

@@ -25,7 +25,7 @@ messages! {
         },
         RoomUnjudged => {
             en: "The room of a damper is given, and the file has no motion or site to hold it against; the loads here have no size.",
-            ko: "감쇠기의 여유 공간은 주어졌으나 비교할 지진동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
+            ko: "감쇠기의 여유 공간은 주어졌으나 비교할 지반운동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
         },
         RoomInWind => {
             en: "The room of a damper is given: `dolmen check` holds it against the wind of the file.",
@@ -33,11 +33,11 @@ messages! {
         },
         Compared { damper: String, given: Quantity, rule: Quantity, best: Quantity } => {
             en: "Damper {damper}: response over that without it {given} as in the file, {rule} at the place of the rule, {best} placed and tuned best.",
-            ko: "감쇠기 {damper}: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}이다.",
+            ko: "감쇠기 {damper}: 감쇠기가 없을 때에 대한 응답비는 입력한 감쇠기 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}이다.",
         },
         ComparedKept { damper: String, given: Quantity, rule: Quantity, best: Quantity, most: Quantity } => {
             en: "Damper {damper}: response over that without it {given} as in the file, {rule} at the place of the rule, {best} placed and tuned best, where {most} of its stroke was asked for.",
-            ko: "감쇠기 {damper}: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}이다.",
+            ko: "감쇠기 {damper}: 감쇠기가 없을 때에 대한 응답비는 입력한 감쇠기 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력한 감쇠기의 {most}배로 제한하여 구한 최적 위치와 동조 {best}이다.",
         },
         OfDeviations { said: Sentence } => {
             en: "{said} These are standard deviations: the largest peak is sought for single dampers only.",
@@ -49,11 +49,11 @@ messages! {
         },
         ComparedTogether { given: Quantity, best: Quantity } => {
             en: "All dampers together: response over that without them {given} as in the file, {best} placed and tuned best together.",
-            ko: "감쇠기 전체: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 위치와 동조 동시 최적 {best}이다.",
+            ko: "감쇠기 전체: 감쇠기가 없을 때에 대한 응답비는 입력한 감쇠기 {given}, 위치와 동조 동시 최적 {best}이다.",
         },
         ComparedTogetherKept { given: Quantity, best: Quantity, most: Quantity } => {
             en: "All dampers together: response over that without them {given} as in the file, {best} placed and tuned best together, where {most} of the strokes was asked for.",
-            ko: "감쇠기 전체: 감쇠기가 없을 때에 대한 응답비는 입력 상태 {given}, 행정을 입력 상태의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}이다.",
+            ko: "감쇠기 전체: 감쇠기가 없을 때에 대한 응답비는 입력한 감쇠기 {given}, 행정을 입력한 감쇠기의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}이다.",
         },
     }
 }

@@ -50,7 +50,7 @@ messages! {
         },
         Meaning => {
             en: "Mass, direction, loads and points are the same on every floor; the goal is over that without a damper.",
-            ko: "질량, 방향, 하중과 관측점은 모든 층에서 같으며 목표값은 비제어 대비 비이다.",
+            ko: "질량, 방향, 하중과 관측점은 모든 층에서 같으며 목적함수값은 감쇠기가 없을 때에 대한 비이다.",
         },
         PointsOfOwn { own: usize } => {
             en: "Points: the corners of floor {own}, whichever floor carries the damper. Give the file points to reduce the motion elsewhere.",
@@ -64,7 +64,7 @@ messages! {
         Frequency => { en: "frequency", ko: "진동수" },
         DampingRatio => { en: "damping ratio", ko: "감쇠비" },
         MassRatio => { en: "mass ratio", ko: "질량비" },
-        Goal => { en: "goal", ko: "목표값" },
+        Goal => { en: "goal", ko: "목적함수값" },
         WithoutOutline { floors: Vec<Sentence> } => {
             en: "Left out, because they have no outline (sides or outline): floors {floors}.",
             ko: "외곽선(sides, outline)이 없어 제외한 바닥: {floors}.",
@@ -75,9 +75,9 @@ messages! {
         },
         Rough { apart: Quantity } => {
             en: "Rough: the goals of the floors are off by up to {apart}, except for the best three and that of the file: something is damped too lightly for the search.",
-            ko: "정밀도 주의: 감쇠가 매우 작은 부분이 있어 가장 좋은 3개 층과 입력한 층을 뺀 층의 목표값에 최대 {apart}의 오차가 있다.",
+            ko: "정밀도 주의: 감쇠가 매우 작은 부분이 있어 가장 좋은 3개 층과 입력한 층을 뺀 층의 목적함수값에 최대 {apart}의 오차가 있다.",
         },
-        Figure => { en: "The goal against the floor of the damper.", ko: "감쇠기를 두는 층에 따른 목표값." },
+        Figure => { en: "The goal against the floor of the damper.", ko: "감쇠기를 두는 층에 따른 목적함수값." },
         FigureMeaning => {
             en: "On each floor the damper is placed and tuned best.",
             ko: "층마다 최적 위치와 동조로 둔 경우이다.",

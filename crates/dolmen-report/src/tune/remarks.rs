@@ -26,7 +26,7 @@ messages! {
         },
         StrokesNotKept { choice: Sentence, list: Vec<Sentence>, most: Quantity } => {
             en: "Stroke not kept: ‘{choice}’, over that as in the file: {list}; {most} was asked for.",
-            ko: "행정 제한 불만족: ‘{choice}’, 입력 상태에 대한 행정의 배수: {list}. 요구한 값은 {most}배이다.",
+            ko: "행정 제한 불만족: ‘{choice}’, 입력한 감쇠기에 대한 행정의 배수: {list}. 요구한 값은 {most}배이다.",
         },
         NoDamper { choice: Sentence, ratio: Quantity } => {
             en: "No damper: ‘{choice}’ has a damping ratio of {ratio}: above 1 nothing swings any more, and a project file refuses it.",
@@ -42,7 +42,7 @@ messages! {
         },
         UnderMotion { choice: Sentence, motion: String, drift: Quantity, strokes: Vec<Sentence> } => {
             en: "Under motion {motion}, ‘{choice}’: largest drift of a storey along x or y {drift} of its height; strokes {strokes}.",
-            ko: "지진동 {motion}, ‘{choice}’: x·y방향 최대 층간변위각 {drift}, 행정 {strokes}.",
+            ko: "지반운동 {motion}, ‘{choice}’: x·y 방향 최대 층간변위각 {drift}, 행정 {strokes}.",
         },
         StrokeInRoom { damper: String, stroke: Quantity, room: Quantity } => {
             en: "{damper} {stroke} (room {room})",
@@ -51,19 +51,19 @@ messages! {
         StrokeAlone { damper: String, stroke: Quantity } => { en: "{damper} {stroke}", ko: "{damper} {stroke}" },
         RuleMore { more: Quantity } => {
             en: "The rule, far from the centre of the mode, leaves {more} more than the best.",
-            ko: "규칙에 따라 모드 중심에서 먼 곳에 두면 목표값이 최적보다 {more} 크다.",
+            ko: "규칙에 따라 모드 중심에서 먼 곳에 두면 목적함수값이 최적보다 {more} 크다.",
         },
         RuleLess { less: Quantity } => {
             en: "The rule, far from the centre of the mode, leaves {less} less than the best within the limits asked for, and does not keep them.",
-            ko: "규칙에 따라 모드 중심에서 먼 곳에 두면 목표값이 제한 조건 안의 최적보다 {less} 작지만, 그 조건을 만족하지 않는다.",
+            ko: "규칙에 따라 모드 중심에서 먼 곳에 두면 목적함수값이 제한 조건 안의 최적보다 {less} 작지만, 그 조건을 만족하지 않는다.",
         },
         GivenMore { more: Quantity } => {
             en: "The file's damper leaves {more} more than the best.",
-            ko: "입력한 감쇠기의 목표값은 최적보다 {more} 크다.",
+            ko: "입력한 감쇠기의 목적함수값은 최적보다 {more} 크다.",
         },
         GivenLess { less: Quantity } => {
             en: "The file's damper leaves {less} less than the best within the limits asked for, and does not keep them.",
-            ko: "입력한 감쇠기의 목표값은 제한 조건 안의 최적보다 {less} 작지만, 그 조건을 만족하지 않는다.",
+            ko: "입력한 감쇠기의 목적함수값은 제한 조건 안의 최적보다 {less} 작지만, 그 조건을 만족하지 않는다.",
         },
         Rough { apart: Quantity } => {
             en: "Rough: maps, lines, tunings, curves of being out of tune and searches are off by up to {apart}: something is damped too lightly for them; the rows of the table are computed afresh.",
@@ -83,7 +83,7 @@ messages! {
         },
         OfTheRule => {
             en: "The rule of Hwang, Min & Hong puts a damper as far from the centre of the mode as the floor allows. It makes the damper work more on that mode, not the points move less. Their eq. 5a gives a damper along x the sign +Y; by their own eq. 12 it is −Y, which is used here.",
-            ko: "황재승·민경원·홍성목의 규칙은 감쇠기를 모드 중심에서 가장 먼 곳에 둔다. 이는 해당 모드에 대한 제어 효과를 키울 뿐이며 관측점의 응답을 최소로 하지는 않는다. 논문의 식 (5a)는 X방향 감쇠기에 +Y를 쓰지만 식 (12)와 맞추면 −Y가 옳으며 여기서는 −Y를 쓴다.",
+            ko: "황재승·민경원·홍성목의 규칙은 감쇠기를 모드 중심에서 가장 먼 곳에 둔다. 이는 해당 모드에 대한 제어 효과를 키울 뿐이며 관측점의 응답을 최소로 하지는 않는다. 논문의 식 (5a)는 x 방향 감쇠기에 +Y를 쓰지만 식 (12)와 맞추면 −Y가 옳으며 여기서는 −Y를 쓴다.",
         },
     }
 }

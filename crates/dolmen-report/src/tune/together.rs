@@ -33,7 +33,7 @@ messages! {
             ko: "감쇠기 전체, 개별, 동시 설계에 대한 관측점 응답의 비제어 대비 비.",
         },
         Dampers => { en: "Dampers", ko: "감쇠기" },
-        GoalHead => { en: "goal", ko: "목표값" },
+        GoalHead => { en: "goal", ko: "목적함수값" },
         Designed { choice: Sentence } => { en: "As designed: {choice}.", ko: "설계한 감쇠기: {choice}." },
         Damper => { en: "Damper", ko: "감쇠기" },
         Besides => { en: "besides", ko: "기타" },

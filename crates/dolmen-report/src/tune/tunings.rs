@@ -21,7 +21,7 @@ messages! {
         Tuning => { en: "Tuning", ko: "동조식" },
         MadeFor => { en: "made for", ko: "목적" },
         FrequencyRatio => { en: "f / f of the mode", ko: "진동수비" },
-        Goal => { en: "goal", ko: "목표값" },
+        Goal => { en: "goal", ko: "목적함수값" },
         Exact => { en: "exact, with the mode's damping", ko: "엄밀해(모드 감쇠 포함)" },
         Literal => {
             en: "Hwang, Min & Hong, taken literally",
@@ -48,7 +48,7 @@ messages! {
         },
         Off => {
             en: "What the goal grows by when the damper is out of tune, in %.",
-            ko: "동조 오차에 따른 목표값의 증가(%).",
+            ko: "동조 오차에 따른 목적함수값의 증가(%).",
         },
         OffBy => { en: "Frequency off by", ko: "진동수 오차" },
         Given => { en: "as in the file", ko: "입력한 감쇠기" },

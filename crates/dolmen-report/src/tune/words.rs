@@ -11,7 +11,7 @@ pub(super) const ROUNDING: f64 = 1e-12;
 messages! {
     /// Choices, loads, goals.
     pub(crate) enum Words in "tune.words" {
-        Given => { en: "as in the file", ko: "입력 상태" },
+        Given => { en: "as in the file", ko: "입력한 감쇠기" },
         Rule { mode: usize } => {
             en: "the rule: farthest from the centre of mode {mode}",
             ko: "규칙: {mode}차 모드 중심에서 가장 먼 곳",

@@ -8,8 +8,8 @@ messages! {
     /// Why, or what stands near in time.
     pub(crate) enum Cause in "watch.cause" {
         Nothing => { en: "", ko: "" },
-        Sensors { number: usize, what: String } => { en: ", and work {number} on the sensors fell into that time ({what})", ko: ". 그 사이에 센서 작업 {number}({what})이 있었다" },
-        Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ". 그 사이에 사건 {number}({what})이 있었다" },
+        Sensors { number: usize, what: String } => { en: ", and work {number} on the sensors fell into that time ({what})", ko: ". 그 사이에 센서 작업({number}번: {what})이 있었다" },
+        Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ". 그 사이에 사건({number}번: {what})이 있었다" },
     }
 }
 

@@ -40,7 +40,7 @@ messages! {
         },
         ConfirmedOn { frequency: Values, confirmed: String } => {
             en: "{frequency}, confirmed on {confirmed}",
-            ko: "{frequency} 모드, {confirmed} 확정",
+            ko: "{frequency} 모드 {confirmed} 확정",
         },
         AndMore { more: usize } => { en: "and {more} more", ko: "그 밖 {more}건" },
         NoOpenAlarm { answered: usize, last: String } => {
@@ -73,7 +73,7 @@ messages! {
         },
         Unchanged { modes: usize, from: String, to: String, least: Quantity } => {
             en: "No lasting change was shown from {from} to {to}, modes followed: {modes}. A step of {least} halfway would have been seen with 80 % probability in each; smaller ones could have been missed.",
-            ko: "{from}부터 {to}까지 추적한 모드 {modes}개에서 지속적인 변화가 확인되지 않았다. 중간 시점의 {least} 급변은 각 모드에서 80 %의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
+            ko: "{from}부터 {to}까지 추적한 모드 {modes}개에서 지속적인 변화가 확인되지 않았다. 중간 시점의 {least} 급변은 각 모드에서 80 %의 확률로 검출되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
         },
         TooFew { from: String, to: String } => {
             en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys (`dolmen compare`).",
@@ -109,11 +109,11 @@ messages! {
         },
         Sensor { survey: String, channel: String, cause: Sentence } => {
             en: "Shapes jumped on {survey} while frequencies did not{cause}: sensor \"{channel}\" was moved, replaced or turned, not the structure.",
-            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물이 아니라 센서 \"{channel}\"이(가) 이동·교체되었거나 방향이 바뀌었다.",
+            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물의 변화가 아니라 센서 ‘{channel}’의 이동·교체 또는 방향 변경으로 판단된다.",
         },
         Sensors { survey: String, cause: Sentence } => {
             en: "Shapes jumped on {survey} while frequencies did not{cause}: sensors were moved, replaced or turned, not the structure.",
-            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물이 아니라 센서가 이동·교체되었거나 방향이 바뀌었다.",
+            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물의 변화가 아니라 센서의 이동·교체 또는 방향 변경으로 판단된다.",
         },
         Jumped { from: Quantity, to: Quantity, survey: String, mac: Quantity } => {
             en: "{from} ended and {to} began on {survey} with a like shape (MAC {mac}): perhaps one mode that jumped.",
@@ -124,8 +124,8 @@ messages! {
             ko: "[watch]의 {date} 작업은 마지막 조사 {last}보다 1년 넘게 뒤여서 그 효과를 보여 주는 조사가 없다. 다음 조사까지 이전 경보는 그대로 둔다. 연도가 맞는가?",
         },
         Rate { share: Quantity } => {
-            en: "Confirmed false alarms come at the stated mean rate; over these years at least one with {share} probability.",
-            ko: "확정된 오경보는 정해진 평균 빈도로 발생하며, 이 기간에 한 번 이상 발생할 확률은 {share}이다.",
+            en: "An alarm can be confirmed though nothing changed (a false alarm); over these years at least one is confirmed with {share} probability.",
+            ko: "구조물에 변화가 없어도 경보가 확정될 수 있다(오경보). 이 기간에 오경보가 한 번 이상 확정될 확률은 {share}이다.",
         },
         Chance { p: Quantity } => { en: "p = {p}", ko: "p = {p}" },
         ChanceBelow => { en: "p < 0.001", ko: "p < 0.001" },

@@ -57,7 +57,7 @@ messages! {
         },
         Steady { damage: Sentence, least: Quantity, now: Quantity } => {
             en: "{damage}: no trend; a slope of {least} a year would have been seen with 80 % probability. Now {now}.",
-            ko: "{damage}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 발견되었을 것이다. 현재 {now}이다.",
+            ko: "{damage}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 검출되었을 것이다. 현재 {now}이다.",
         },
         FewGrew { damage: Sentence, by: Quantity, half: Quantity, from: String, to: String, readings: usize } => {
             en: "{damage}: it grew by {by} ± {half} from {from} to {to}, more than reading it may be off ({readings} readings; a slope needs four of one level).",

@@ -22,7 +22,7 @@ messages! {
         },
         Sizes => {
             en: "Damage whose size was read more than once. The slope stands beside a yearly wave and repairs; its error holds that of the readings, as written or as their cov says. “seen from” is the slope that would have been seen with 80 % probability.",
-            ko: "크기를 두 번 이상 잰 손상. 경향은 연주기 변동과 보수의 영향을 함께 추정하여 구하였고 오차에는 적은 자릿수나 cov에 따른 측정 오차가 포함된다. 발견 가능은 80 %의 확률로 발견되었을 변화 속도이다.",
+            ko: "크기를 두 번 이상 잰 손상. 경향은 연주기 변동과 보수의 영향을 함께 추정하여 구하였고 오차에는 적은 자릿수나 cov에 따른 측정 오차가 포함된다. 검출 한계는 80 %의 확률로 검출되었을 변화 속도이다.",
         },
         Inspection => { en: "inspection", ko: "점검" },
         All => { en: "all", ko: "합계" },
@@ -36,7 +36,7 @@ messages! {
         Limit => { en: "limit", ko: "한계" },
         PerYear => { en: "a year", ko: "연간 변화" },
         Half => { en: "± 95 %", ko: "± 95 %" },
-        SeenFrom => { en: "seen from", ko: "발견 가능" },
+        SeenFrom => { en: "seen from", ko: "검출 한계" },
         Rated => { en: "severity", ko: "정도" },
         Text { text: String } => { en: "{text}", ko: "{text}" },
     }

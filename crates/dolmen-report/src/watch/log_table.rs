@@ -28,7 +28,7 @@ messages! {
         Limit => { en: "limit", ko: "한계" },
         PerYear => { en: "a year", ko: "연간 변화" },
         Half => { en: "± 95 %", ko: "± 95 %" },
-        SeenFrom => { en: "seen from", ko: "발견 가능" },
+        SeenFrom => { en: "seen from", ko: "검출 한계" },
         Season => { en: "season", ko: "계절" },
         PerC => { en: "per °C", ko: "1 °C당" },
         Block => { en: "medians of", ko: "중앙값" },

@@ -54,7 +54,7 @@ messages! {
         },
         Steady { label: Both, least: Quantity, now: Quantity } => {
             en: "{label}: no trend; a slope of {least} a year would have been seen with 80 % probability. Now {now}.",
-            ko: "{label}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 발견되었을 것이다. 현재 {now}이다.",
+            ko: "{label}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 검출되었을 것이다. 현재 {now}이다.",
         },
         TooShort { label: Both, years: Quantity, now: Quantity } => {
             en: "{label}: {years} years of readings do not tell a trend from the season; that needs two. Now {now}.",

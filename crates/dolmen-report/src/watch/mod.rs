@@ -34,11 +34,11 @@ messages! {
         Head => { en: "The structure over the years", ko: "여러 해에 걸친 구조물의 변화" },
         Drawn => {
             en: "Frequencies with what explains them, and each survey against those before it.",
-            ko: "고유진동수와 그 설명 모형, 이전 조사로부터의 예측에 대한 각 조사의 위치.",
+            ko: "고유진동수와 모델의 설명값, 이전 조사로 예측한 값과의 차이.",
         },
         Panels => {
             en: "From above: relative frequency of each mode (dots) with weather, works and changes (lines); the moving average of each mode over its limit, beyond ±1 an alarm; T² of all modes over its limit; tilt; what is logged, with the trend (line) and its limit; sizes of damage as inspections read them (dots), with the limit. Panels without values are left out. Upright lines are works and events, numbered as in the list.",
-            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기, 연속 기록과 그 추세(선) 및 한계, 점검에서 잰 손상의 크기(점)와 한계. 값이 없는 그림은 뺐다. 세로선은 보수와 사건이며 번호는 목록과 같다.",
+            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기, 연속 기록과 그 추세(선) 및 한계, 점검에서 잰 손상의 크기(점)와 한계. 값이 없는 그래프는 생략하였다. 세로선은 보수와 사건이며 번호는 목록과 같다.",
         },
         Work { number: usize, date: String, what: String } => {
             en: "{number}. {date}: {what}",
@@ -57,8 +57,8 @@ messages! {
             ko: "{survey} 조사는 고장 난 센서를 빼고 해석하였다: {channels}.",
         },
         NoProof { share: Quantity } => {
-            en: "The search for changes finds one where there is none with {share} probability, all modes together; alarms are counted apart. Frequencies also follow moisture, added mass and the strength of the motion. No change shown is no proof that nothing changed.",
-            ko: "실제로는 변화가 없는데 변화로 판정할 확률은 모든 모드를 합하여 {share}이며, 경보는 따로 센다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변한다. 변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다.",
+            en: "The search for changes finds one where there is none with {share} probability, all modes together; false alarms are not in it. Frequencies also follow moisture, added mass and the strength of the motion. No change shown is no proof that nothing changed.",
+            ko: "실제로는 변화가 없는데 변화로 판정할 확률은 모든 모드를 합하여 {share}이다. 경보의 오경보 확률은 여기에 포함되지 않는다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변한다. 변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다.",
         },
     }
 }

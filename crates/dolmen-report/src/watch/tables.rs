@@ -11,8 +11,8 @@ messages! {
     /// Tables of a history.
     pub(crate) enum Listed in "watch.tables" {
         Modes { surveys: usize, average: Quantity } => {
-            en: "Modes that were followed, of {surveys} surveys. The disturbance is what is left beside noise and weather; a lasting step of “seen from” halfway is found with 80 % probability. An alarm is confirmed by a moving average beyond {average} of its deviations, or by three of five surveys outside ±3.",
-            ko: "조사 {surveys}회에서 추적한 모드. 잔차 변동은 측정 잡음과 기온 영향을 뺀 나머지이며, 발견 가능은 중간 시점의 급변이 80 %의 확률로 발견되는 크기이다. 이동평균이 자체 편차의 {average}배를 벗어나거나 최근 5회 중 3회가 ±3을 벗어나면 경보가 확정된다.",
+            en: "Modes that were followed, of {surveys} surveys. The disturbance is what is left beside noise and weather; a lasting step of “seen from” halfway is found with 80 % probability. An alarm is confirmed by a moving average beyond {average} of its standard deviations, or by three of five surveys more than 3 standard deviations off their prediction.",
+            ko: "조사 {surveys}회에서 추적한 모드. 잔차 표준편차는 측정 잡음과 기온 영향을 뺀 나머지이며, 검출 한계는 중간 시점의 급변이 80 %의 확률로 검출되는 크기이다. 이동평균이 그 표준편차의 {average}배를 넘거나 최근 5회 중 3회의 예측 오차가 표준편차의 ±3배를 넘으면 경보가 확정된다.",
         },
         Mode => { en: "Mode", ko: "모드" },
         NumberAccepted { number: usize, surveys: usize } => {
@@ -23,10 +23,10 @@ messages! {
         Frequency => { en: "frequency", ko: "고유진동수" },
         FoundIn => { en: "found in", ko: "확인된 조사" },
         PerC => { en: "per °C", ko: "1 °C당" },
-        Disturbance => { en: "disturbance", ko: "잔차 변동" },
-        Correlation => { en: "correlation", ko: "상관계수" },
-        SeenFrom => { en: "seen from", ko: "발견 가능" },
-        Outliers => { en: "alone", ko: "이상값" },
+        Disturbance => { en: "disturbance", ko: "잔차 표준편차" },
+        Correlation => { en: "correlation", ko: "잔차 자기상관" },
+        SeenFrom => { en: "seen from", ko: "검출 한계" },
+        Outliers => { en: "alone", ko: "이상값 수" },
         NotJudged => { en: "not judged", ko: "판정 제외" },
         Changes => {
             en: "Lasting changes, beside works. The date lies between the two surveys with 95 % probability; p is that of so strong a change in any mode by chance.",

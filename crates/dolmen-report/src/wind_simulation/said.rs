@@ -44,7 +44,7 @@ messages! {
         },
         BeyondDrift { ratio: Quantity, limit: Quantity, floor: Sentence, axis: Sentence, mean_square: Quantity } => {
             en: "The storey below floor {floor} is beyond its limit in the wind along {axis}: it drifts by {ratio} of its height in the mean, {limit} is allowed; the mean square gives {mean_square}.",
-            ko: "{axis} 방향 바람에서 {floor} 바닥 아래 층의 층간변위비가 평균 {ratio}으로 허용값 {limit}을(를) 넘는다. 평균제곱법의 값은 {mean_square}이다.",
+            ko: "{axis} 방향 바람에서 {floor} 바닥 아래층의 층간변위비가 평균 {ratio}으로 허용값 {limit}을(를) 넘는다. 평균제곱법의 값은 {mean_square}이다.",
         },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room: it needs {needed} each way, in the mean of the histories or by the mean square, and has {has}. It would meet its stops, which these histories do not have, so that all values with dampers are too good.",

@@ -24,8 +24,8 @@ korean_of! {
         AssessError::Trend { given } => "추세의 값이 {given}이다. 결과가 없는 해석을 뺀다";
         AssessError::FragilityParameter { parameter, given } => "취약도 곡선의 {parameter}이(가) {given}인데 양수이어야 한다", parameter = phrase(parameter);
         AssessError::Observation { number, given, allowed } => "관측 {number}의 값이 {given}인데 {allowed}이어야 한다", allowed = phrase(allowed);
-        AssessError::TooFewForSufficiency { given, least } => "지진동 척도의 충분성을 판단하기에는 지반운동 {given}개가 너무 적다. {least}개 이상을 준다";
-        AssessError::CapacitiesOpen { without, scans } => "증분해석 {scans}건 중 {without}건은 손상상태가 시작된 크기의 위아래를 알 수 없으며, 이는 가장 강하거나 약한 경우이다. 더 작거나 큰 지진동까지 해석한다";
+        AssessError::TooFewForSufficiency { given, least } => "지반운동 척도의 충분성을 판단하기에는 지반운동 {given}개가 너무 적다. {least}개 이상을 준다";
+        AssessError::CapacitiesOpen { without, scans } => "증분해석 {scans}건 중 {without}건은 손상상태가 시작된 크기의 위아래를 알 수 없으며, 이는 가장 강하거나 약한 경우이다. 더 작거나 큰 지반운동까지 해석한다";
         AssessError::SameForEveryMotion { value } => "모든 지반운동에서 값이 {value}(으)로 같아 그에 따른 변화를 알 수 없다. 서로 다른 지진의 지반운동을 준다";
         AssessError::TooFewMotions { given } => "취약도 곡선에는 지반운동 {given}개가 너무 적다. 3개 이상, 순위를 매기려면 22개 이상을 준다";
         AssessError::NoFragility(bound) => "{why}", why = no_fragility(bound);
@@ -44,7 +44,7 @@ korean_of! {
     MonitoringError {
         MonitoringError::Option { option, given, allowed } => "{option}이(가) {given}인데 {allowed}이어야 한다", option = phrase(option), allowed = phrase(allowed);
         MonitoringError::Order { survey, day } => "{survey} 조사의 날짜({day}일)가 앞 조사보다 뒤가 아니다. 조사마다 다른 날짜를 순서대로 준다";
-        MonitoringError::TooFewSurveys { given, least } => "조사가 {given}개인데 이력에는 {least}개가 필요하다. 대신 두 조사를 비교한다";
+        MonitoringError::TooFewSurveys { given, least } => "조사가 {given}회이다. 변화 이력을 분석하려면 {least}회 이상 있어야 한다. 조사가 2회이면 두 조사를 비교한다";
     }
     handed on MonitoringError::Numeric(why) => why;
     handed on MonitoringError::Modal(why) => why;

@@ -24,11 +24,11 @@ messages! {
         },
         MarkedAssumed(survey: String) => {
             en: "the frequencies of survey {survey} are marked as assumed, not measured",
-            ko: "{survey} 조사의 고유진동수가 계측값이 아니라 가정값으로 표시됨",
+            ko: "{survey} 조사의 고유진동수가 계측값이 아니라 가정값으로 표시되어 있다",
         },
         MarkedAssumedApart { survey: String, direction: String, given: String, computed: String } => {
             en: "the frequencies of survey {survey} are marked as assumed, not measured; {direction}: {given} Hz there, {computed} Hz modelled",
-            ko: "{survey} 조사의 고유진동수가 계측값이 아니라 가정값으로 표시됨; {direction} 방향 {given} Hz, 모델 {computed} Hz",
+            ko: "{survey} 조사의 고유진동수가 계측값이 아니라 가정값으로 표시되어 있다; {direction} 방향 {given} Hz, 모델 {computed} Hz",
         },
         Calibrated(survey: String) => {
             en: "not measured (calibrated to {survey})",

@@ -87,13 +87,14 @@ impl Weight {
             .unwrap_or(Weight::Stable)
     }
 
-    /// The word for loose stones as they settle, without a motion: stable if all rest in their places by every law, unstable if some leave them.
+    /// The word for loose stones as they settle, without a motion: stable if all rest in their places by every law, unstable if by every law some
+    /// leave them, wherever they come to rest.
     pub(super) fn of_settled(run: &SettledSimulation) -> Weight {
         let all = |ending: LooseEnding| run.runs.iter().all(|run| run.settled.ending == ending);
-        let verdict = match run.runs.is_empty() || run.laws_differ() {
+        let verdict = match run.runs.is_empty() {
             true => Verdict::Unknown,
-            false if all(LooseEnding::Stood) => Verdict::Stable,
             false if all(LooseEnding::Fell) => Verdict::Unstable,
+            false if all(LooseEnding::Stood) && !run.laws_differ() => Verdict::Stable,
             false => Verdict::Unknown,
         };
         Weight::of_verdict(verdict, None, false)

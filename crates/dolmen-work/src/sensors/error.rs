@@ -65,7 +65,7 @@ sentences! {
         },
         Falls => {
             en: "the model falls under its own weight, so it has no modes: see `dolmen check`",
-            ko: "모델이 자중으로 무너져 모드가 없다. `dolmen check`를 본다",
+            ko: "모델이 자중으로 붕괴하여 모드가 없다. `dolmen check`를 본다",
         },
         NoSites { up_to_m } => {
             en: "no place for a sensor is below {up_to_m} m: raise --up-to",

@@ -140,13 +140,13 @@ messages! {
         OwnDamageStates => { en: "damage states of its own", ko: "손상상태 기준 별도 지정" },
         RestAndPeriods(rest: String) => {
             en: "{rest} s and at least ten periods after the motion",
-            ko: "지진동 종료 후 {rest}초, 최소 10주기",
+            ko: "지반운동 종료 후 {rest}초, 최소 10주기",
         },
-        Rest(rest: String) => { en: "{rest} s after the motion", ko: "지진동 종료 후 {rest}초" },
+        Rest(rest: String) => { en: "{rest} s after the motion", ko: "지반운동 종료 후 {rest}초" },
         FallToStep => { en: "first fall to the whole of a step", ko: "최초 붕괴는 한 단계까지" },
         FallToPart(part: String) => { en: "first fall to {part} of a step", ko: "최초 붕괴는 단계의 {part}까지" },
         SamplesFrom(seed: u64) => { en: "samples from seed {seed}", ko: "표본 난수 초깃값 {seed}" },
-        NoiseFrom(seed: u64) => { en: "noise from seed {seed}", ko: "인공 지진동 난수 초깃값 {seed}" },
+        NoiseFrom(seed: u64) => { en: "noise from seed {seed}", ko: "인공 지반운동 난수 초깃값 {seed}" },
     }
 }
 

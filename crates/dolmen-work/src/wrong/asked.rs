@@ -161,7 +161,7 @@ sentences! {
         },
         AfterWithoutScan => {
             en: "after is a motion before runs of growing shaking, and the study has none: give scale or peak, or leave after out",
-            ko: "after는 지진동을 키워 가는 해석에 앞서 작용하는데 이 study에는 그런 해석이 없다. scale이나 peak를 주거나 after를 뺀다",
+            ko: "after는 지반운동을 키워 가는 해석에 앞서 작용하는데 이 study에는 그런 해석이 없다. scale이나 peak를 주거나 after를 뺀다",
         },
         StudySamplesNothing { samples } => {
             en: "samples is {samples}, but no input has a cov: all samples would be the same. Write joint.friction = {{ value = 0.6, cov = 0.1 }}, or leave samples out",

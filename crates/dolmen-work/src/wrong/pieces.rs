@@ -101,7 +101,7 @@ messages! {
         },
         PressedWithoutMass => {
             en: "static loads without mass press its stones together, so that shaking it says nothing of its capacity: model what weighs on it as a block, or study a variant with loads = []",
-            ko: "질량 없는 정하중이 석재를 누르고 있어 흔들어도 한계 지진동을 알 수 없다. 얹힌 것을 블록으로 모델링하거나 loads = []인 대안을 검토한다",
+            ko: "질량 없는 정하중이 석재를 누르고 있어 흔들어도 한계 지반운동을 알 수 없다. 얹힌 것을 블록으로 모델링하거나 loads = []인 대안을 검토한다",
         },
         SupportsMove => {
             en: "its supports move before the ground shakes, and runs shake it as it stood before: study a variant with support_movement = []",
@@ -173,11 +173,11 @@ messages! {
         },
         VerticalLeftOut => {
             en: "vertical components of the motions do not act in the runs",
-            ko: "해석에 지진동의 연직 성분을 반영하지 않았다",
+            ko: "해석에 지반운동의 연직 성분을 반영하지 않았다",
         },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "the runs start plumb: the tilt of survey {survey} ({tilt}) is not in them, and what leans gives way to less",
-            ko: "해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물의 한계 지진동은 더 작다",
+            ko: "해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물의 한계 지반운동은 더 작다",
         },
         Leans { survey: String, tilt: String } => {
             en: "the runs start leaning as survey {survey} found it ({tilt})",

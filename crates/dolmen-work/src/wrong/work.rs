@@ -334,8 +334,8 @@ sentences! {
             ko: "조사 \"{first}\"({of_first})와(과) \"{second}\"({of_second})의 기록이 바이트까지 같다. 날짜마다 그 날짜의 파일을 지정한다. 한 파일에 두 기록이 함께 있으면 조사마다 channels의 열을 따로 쓰거나 conditioning.cut으로 구간을 따로 지정한다",
         },
         TooFewToWatch { given, least } => {
-            en: "{given} surveys of the file have modes, a tilt or an inspection, and a name that begins with a date (2026-03-10), but a history needs {least}: measure again, or compare two surveys with dolmen compare",
-            ko: "모드, 기울기 또는 점검 결과가 있고 이름이 날짜(2026-03-10)로 시작하는 조사가 {given}개인데 이력에는 {least}개가 필요하다. 다시 계측하거나 dolmen compare로 두 조사를 비교한다",
+            en: "{given} surveys of the file have modes, a tilt or an inspection, and a name that begins with a date (2026-03-10), but a history needs {least}: measure again; where there are two surveys, compare them with dolmen compare",
+            ko: "모드, 기울기 또는 점검 결과가 있고 이름이 날짜(2026-03-10)로 시작하는 조사가 {given}회이다. 변화 이력을 분석하려면 이러한 조사가 {least}회 이상 있어야 한다. 더 계측하며, 조사가 2회이면 dolmen compare로 비교한다",
         },
     }
     handed on { Monitoring(MonitoringError), Assess(AssessError) }

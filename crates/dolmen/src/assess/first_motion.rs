@@ -1,9 +1,10 @@
 //! The acceleration at which a stack begins to move, beside one that is checked already.
 
 use super::AssessError;
-use super::stack::{StackCheck, StackCheckOptions, check_stack, governing_joint, loads_on_soil};
+use super::stack::{StackCheck, StackCheckOptions, check_stack, governing_joint, sooner};
+use super::stack_on_soil::on_soil;
 use crate::stability::stack::{
-    Holding, LimitAnalysis, LimitAnalysisStatus, Shaking, limit_analysis, stack_limits,
+    Holding, LimitAnalysis, LimitAnalysisStatus, OnSoil, Shaking, limit_analysis, stack_limits,
 };
 use crate::structure::stack::Stack;
 
@@ -44,7 +45,8 @@ pub fn first_motion_beside(
         (material.friction_static, material.friction_kinetic) = (0.0, 0.0);
         smoother = smoother.with_material(joint, material)?;
     }
-    let joints = governing_joint(&limits).map(|least| least.acceleration_m_s2);
+    let overturns = limits.footing.map(|footing| footing.overturns);
+    let joints = sooner(governing_joint(&limits), overturns).map(|least| least.acceleration_m_s2);
     let shaking = match analysis.directions.as_slice() {
         [] => return Ok(joints),
         // forces that equilibrium determines are known in one direction
@@ -52,7 +54,7 @@ pub fn first_motion_beside(
         several => Shaking::Near(several.to_vec()),
     };
     let near = LimitAnalysis {
-        loads: loads_on_soil(options, &limits),
+        loads: options.limits.loads.clone(),
         shaking,
         holding: Holding::Cohesion,
         ..LimitAnalysis::default()
@@ -61,7 +63,8 @@ pub fn first_motion_beside(
         LimitAnalysisStatus::DoesNotStand => None,
         LimitAnalysisStatus::Unlimited => joints,
         LimitAnalysisStatus::Limited(found) => {
-            let found = found.acceleration_m_s2 * limits.soil_factor;
+            let soil = OnSoil::of(&smoother, &options.limits.loads)?;
+            let found = on_soil(&smoother, &soil, &near, &found)?.acceleration_m_s2;
             Some(joints.map_or(found, |least| least.min(found)))
         }
     })

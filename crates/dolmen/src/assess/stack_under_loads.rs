@@ -5,6 +5,7 @@
 //! | λ | `factor` | factor on wind and static loads, with unchanged weight | – |
 
 use super::AssessError;
+use super::loads_on_soil::factor_on_soil;
 use crate::stability::Verdict;
 use crate::stability::stack::{
     BlownBlock, LoadFactor, ROUNDS, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
@@ -66,6 +67,8 @@ pub struct StackUnderLoads {
     pub dilating_factor: Option<f64>,
     /// The factor with infinite strength, if it is larger.
     pub uncrushed_factor: Option<f64>,
+    /// The factor on rigid ground, if it is larger than on the soil.
+    pub rigid_ground_factor: Option<f64>,
     /// The loads that grow.
     pub grows: Grows,
     /// The worst direction of the wind, a unit vector in plan; `None` without wind.
@@ -229,10 +232,11 @@ impl Case<'_> {
                 weight: self.weight,
                 loads: steady,
             };
-            let factor = match known {
+            let rigid = match known {
                 RestState::Nothing => load_factor(self.stack, &steady, growing)?.factor,
                 RestState::Stands => growth(self.stack, &steady, growing)?,
             };
+            let factor = factor_on_soil(self.stack, &steady, growing, rigid)?;
             // constant loads that the stack does not bear leave no factor for the others: that of all loads governs
             let exceeds_at_rest = index > 0 && factor <= 0.0 && least.0 <= 1.0;
             if !exceeds_at_rest && is_less(factor, least.0) {
@@ -250,8 +254,13 @@ impl Case<'_> {
             weight: self.weight,
             loads: &steady,
         };
+        let mut found = load_factor(self.stack, &steady, &growing)?;
+        let rigid = found.factor;
+        found.factor = factor_on_soil(self.stack, &steady, &growing, rigid)?;
+        found.at_least = found.at_least.min(found.factor);
         Ok(StackUnderLoads {
-            found: load_factor(self.stack, &steady, &growing)?,
+            rigid_ground_factor: is_less(found.factor, rigid).then_some(rigid),
+            found,
             dilating_factor: None,
             uncrushed_factor: None,
             grows,

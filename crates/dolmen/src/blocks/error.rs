@@ -40,10 +40,20 @@ pub enum BlocksError {
     },
     /// The stack is unstable at rest: its springs are too soft for its weight.
     #[error(
-        "at rest the stack topples on its springs under its own weight, '{block}' farthest: normal_stiffness_pa_m and shear_stiffness_pa_m of all joints together must be at least {factor:.3} times what they are. Raise them, or calibrate them with a measured frequency"
+        "at rest the stack topples on its springs under its weight and static loads, '{block}' farthest: normal_stiffness and shear_stiffness of all joints together must be at least {factor:.3} times what they are. Raise them, or calibrate them with a measured frequency"
     )]
     Topples {
         /// Smallest factor on the springs of all joints at which the stack stands; above 1.
+        factor: f64,
+        /// The block that moves farthest in the unstable mode.
+        block: String,
+    },
+    /// The stack topples on the springs of its joints and its soil.
+    #[error(
+        "at rest the stack topples on its soil under its weight and static loads, '{block}' farthest: soil and joints together must be at least {factor:.3} times as stiff. Check the shear modulus of the soil, and loads and their heights"
+    )]
+    TopplesOnSoil {
+        /// Smallest factor on the springs of all joints, with the soil, at which the stack stands; above 1.
         factor: f64,
         /// The block that moves farthest in the unstable mode.
         block: String,
@@ -103,6 +113,7 @@ impl BlocksError {
             Self::Option { .. }
             | Self::StepTooLarge { .. }
             | Self::Topples { .. }
+            | Self::TopplesOnSoil { .. }
             | Self::NotAPile { .. }
             | Self::NoSliding { .. }
             | Self::SpringsOnly { .. }

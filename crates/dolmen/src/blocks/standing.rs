@@ -23,7 +23,7 @@ use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen};
 /// ```
 ///
 /// # Errors
-/// [`BlocksError::Topples`], with the smallest factor on all springs for which the stack stands.
+/// [`BlocksError::Topples`] or, on soil, [`BlocksError::TopplesOnSoil`], with the smallest factor on all springs for which the stack stands.
 pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), BlocksError> {
     let mut standing = match assembly.bodies.len() > OUTLINE_FROM {
         true => TowerOutline::of(assembly).standing(),
@@ -33,10 +33,13 @@ pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), B
         standing = by_full_matrix(assembly)?;
     }
     match standing {
-        Standing::Topples { factor, block } => Err(BlocksError::Topples {
-            factor,
-            block: stack.name(Body::Block(block)).to_owned(),
-        }),
+        Standing::Topples { factor, block } => {
+            let block = stack.name(Body::Block(block)).to_owned();
+            Err(match stack.soil() {
+                Some(_) => BlocksError::TopplesOnSoil { factor, block },
+                None => BlocksError::Topples { factor, block },
+            })
+        }
         Standing::Stands | Standing::Singular => Ok(()),
     }
 }

@@ -7,7 +7,8 @@ use crate::structure::stack::{Block, JointMaterial, LostBed, SoilBelow, Solid, S
 const SOURCE: &str = "Edges, beds and soil";
 const NOTE: &str = "A block 0.5 × 0.8 × 2.4 m. Published: closed forms. An edge crushes over the strip N/(f l), so that the pivot lies half of it inside: \
                     (b/2 − N/(2 f l)) / h. A bed of which a fifth is lost at one side has its pivot at b/2 − b/5. \
-                    On soil whose rocking stiffness is K it moves at (b/h) (1 − W h/K), h the height of its centroid.";
+                    On soil without tension whose rocking stiffness is K its footing lifts off and overturns at (b/(2 h)) (1 − (W h/K)^⅓), h the height of \
+                    its centroid.";
 const TOLERANCE: f64 = 1e-6;
 const GRAVITY_M_S2: f64 = 9.81;
 const DENSITY_KG_M3: f64 = 2600.0;
@@ -49,17 +50,17 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         first_motion_g(without_bed(block()?, &lost)?, JointMaterial::with_friction(0.9))?,
     ));
     let fall_n_m = pressure_pa * width_m * depth_m * half_m;
-    for times in [5.0, 50.0] {
+    for times in [1.5, 5.0, 50.0, 1e9] {
         let soil = SoilBelow {
             rocking_stiffness_n_m_rad: times * fall_n_m,
-            normal_stiffness_pa_m: 1e8,
+            normal_stiffness_pa_m: times * fall_n_m * 12.0 / (depth_m * width_m.powi(3)),
             shear_stiffness_pa_m: 1e8,
         };
         let stack = Stack::new(block()?, JointMaterial::with_friction(0.9), GRAVITY_M_S2)?.with_soil(soil)?;
         let check = check_stack(&stack, &StackCheckOptions::default())?;
         found.push((
             format!("block on soil, K of {times} W h: first motion"),
-            0.5 * width_m / half_m * (1.0 - 1.0 / times),
+            0.5 * width_m / half_m * (1.0 - (1.0_f64 / times).cbrt()),
             check.capacity.map_or(f64::NAN, |of| of.acceleration_g),
         ));
     }

@@ -13,7 +13,7 @@ use crate::assess::AssessError;
 use crate::blocks::StackMode;
 use crate::dynamics::correlation_coefficient;
 use crate::stability::stack::{
-    DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, Resistance, Shaking, StackLimits,
+    DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, OnSoil, Resistance, Shaking, StackLimits,
     SwayingForces, cut_resistances, is_statically_determinate, limit_analysis_undilated,
 };
 use crate::structure::stack::Stack;
@@ -162,6 +162,12 @@ impl<'a> ModalDemand<'a> {
             ShakenDirection::Y => &[Shaking::Along([0.0, 1.0]), Shaking::Along([0.0, -1.0])],
             ShakenDirection::Any => &[Shaking::AnyWay],
         };
+        // the footing takes the largest share of what overturns it, and less of what moves parts above
+        let soil = OnSoil::of(self.stack, &limits.loads)?;
+        if !soil.stands() {
+            return Ok(0.0);
+        }
+        let left = soil.factor();
         let mut least = f64::INFINITY;
         for shaking in ways {
             let analysis = LimitAnalysis {
@@ -174,7 +180,7 @@ impl<'a> ModalDemand<'a> {
             least = match found.status {
                 LimitAnalysisStatus::DoesNotStand => 0.0,
                 LimitAnalysisStatus::Unlimited => least,
-                LimitAnalysisStatus::Limited(_) => least.min(found.at_least_g),
+                LimitAnalysisStatus::Limited(_) => least.min(found.at_least_g * left),
             };
         }
         Ok(least)

@@ -2,10 +2,11 @@
 
 use super::by_modes::{ModalDemand, ModalRatio};
 use super::{ShakenDirection, SiteDemand};
+use crate::assess::stack_on_soil::on_soil;
 use crate::assess::{AssessError, StackCheckOptions, check_stack};
 use crate::blocks::{StackMode, first_sway, sway_amplification};
 use crate::stability::stack::{
-    DemandComparison, DemandVerdict, LimitAnalysis, LimitAnalysisStatus, Shaking, SpectralDemand,
+    DemandComparison, DemandVerdict, LimitAnalysis, LimitAnalysisStatus, OnSoil, Shaking, SpectralDemand,
     StackDemand, Threshold, compare_with_demand, limit_analysis_undilated,
 };
 use crate::structure::stack::Stack;
@@ -77,7 +78,7 @@ impl StackDemandCheck {
 /// # Limits
 /// As for [`check_stack`] and [`compare_with_demand`]. The full vertical peak is combined with the full horizontal peak, which is conservative. If
 /// static loads press on stones, the stack is also checked without them, and the worse result counts. Along x and y the capacity is that of the limit
-/// analysis, without the strength of the stone and the rotation of the soil. In the modal analysis the joints stay closed and linear until a part
+/// analysis, on the soil if there is one. In the modal analysis the joints stay closed and linear until a part
 /// tips or slides. In reality a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the
 /// largest force and moment of every stone act together in a limit analysis, which is conservative. The stack does not amplify the vertical
 /// acceleration.
@@ -229,6 +230,10 @@ fn capacity(
         ShakenDirection::X => [[1.0, 0.0], [-1.0, 0.0]],
         ShakenDirection::Y => [[0.0, 1.0], [0.0, -1.0]],
     };
+    let soil = OnSoil::of(stack, &options.limits.loads)?;
+    if !soil.stands() {
+        return Ok(None);
+    }
     let mut least: Option<Threshold> = None;
     for way in ways {
         let analysis = LimitAnalysis {
@@ -240,6 +245,7 @@ fn capacity(
             LimitAnalysisStatus::DoesNotStand => return Ok(None),
             LimitAnalysisStatus::Unlimited => {}
             LimitAnalysisStatus::Limited(found) => {
+                let found = on_soil(stack, &soil, &analysis, &found)?;
                 if least.is_none_or(|least| found.acceleration_m_s2 < least.acceleration_m_s2) {
                     least = Some(found);
                 }

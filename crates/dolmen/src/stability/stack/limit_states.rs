@@ -118,6 +118,22 @@ pub struct Governing {
     pub threshold: Threshold,
 }
 
+/// Where a footing overturns on its soil.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FootingLimit {
+    /// The push at which the footing overturns, in the worst direction. No part of the stack has a larger threshold in that direction.
+    pub overturns: Threshold,
+    /// The same on rigid ground, where the stack tips about the edge of the footing, m/s².
+    pub rigid_m_s2: f64,
+}
+
+impl FootingLimit {
+    /// What the soil leaves of the push that overturns the footing on rigid ground.
+    pub fn factor(&self) -> f64 {
+        self.overturns.acceleration_m_s2 / self.rigid_m_s2
+    }
+}
+
 /// Limit states of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackLimitStates {
@@ -138,10 +154,8 @@ pub struct StackLimitStates {
     pub governing: Option<Governing>,
     /// The earlier of uplift and sliding with ties at their strength, under the same conditions.
     pub governing_with_ties: Option<Governing>,
-    /// Factor on every threshold for the rotation of the soil: 1 − W h / K; 1 on rigid ground.
-    pub soil_factor: f64,
-    /// Horizontal acceleration that the rotation of the soil under static loads adds to every part, m/s².
-    pub soil_offset_m_s2: [f64; 2],
+    /// The footing on its soil; `None` on rigid ground, or if the footing does not stand.
+    pub footing: Option<FootingLimit>,
     /// Groups of blocks on joints in different planes, which this method does not assess.
     pub undecided: Vec<Vec<usize>>,
     /// Whether equilibrium alone gives the force in each joint. If not, every threshold here is an upper bound, and only limit analysis gives

@@ -51,6 +51,10 @@ pub(super) struct Load {
     /// Moment about the origin of the horizontal static loads alone, N m. It rotates the stack on the soil from its
     /// settled position.
     pub(super) static_moment: DVec3,
+    /// Sum of the vertical static loads, downwards, N.
+    pub(super) pressed_n: f64,
+    /// The same × point of application, N m.
+    pub(super) pressed_first: DVec3,
 }
 
 impl Load {
@@ -60,12 +64,16 @@ impl Load {
         self.force += other.force;
         self.moment += other.moment;
         self.static_moment += other.static_moment;
+        self.pressed_n += other.pressed_n;
+        self.pressed_first += other.pressed_first;
     }
 
     fn push(&mut self, at: DVec3, force: DVec3) {
         self.force += force;
         self.moment += at.cross(force);
         self.static_moment += (DVec3::Z * at.z).cross(force.with_z(0.0));
+        self.pressed_n -= force.z;
+        self.pressed_first -= at * force.z;
     }
 
     pub(super) fn centroid(&self) -> DVec3 {

@@ -6,6 +6,7 @@ mod cut_resistances;
 mod cuts;
 mod demand;
 mod dilatancy;
+mod footing;
 mod half_plane;
 mod limit_acts;
 mod limit_along;
@@ -24,6 +25,7 @@ mod local_mechanism;
 mod mechanism;
 mod moved_contacts;
 mod movement_programme;
+mod on_soil;
 mod part;
 mod pressure;
 mod resistance;
@@ -56,11 +58,12 @@ pub use limit_analysis::limit_analysis;
 pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
-pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates};
+pub use limit_states::{CutLimits, EdgeLimit, FootingLimit, Governing, LimitKind, StackLimitStates};
 pub use load_factor::{LoadFactor, SteadyLoads, growth, load_factor};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use local_mechanism::{LocalMechanism, RigidPart, local_mechanism, local_mechanisms};
 pub use mechanism::{JointMotion, Mechanism, MovingJoint};
+pub(crate) use on_soil::{OnSoil, turned_at_rest};
 pub use pressure::{JointPressure, no_tension_pressure};
 pub use resistance::Resistance;
 pub use rocking::{

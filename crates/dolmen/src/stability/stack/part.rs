@@ -3,6 +3,7 @@
 use super::contact::{Contact, contact, names_below};
 use super::half_plane::{HalfPlane, least_on};
 use super::loads::{Load, together};
+use super::on_soil::OnSoil;
 use super::toe::toe;
 use super::{Cut, CutLimits, EdgeLimit, LimitKind, Resistance, StackLimits, Standing};
 use crate::structure::stack::{Body, Stack, Tie};
@@ -20,21 +21,12 @@ const SLIDES: usize = 72;
 /// changes it by 1.5e-4.
 const RESISTS: usize = 180;
 
-/// Rotation of the base on its soil.
-pub(super) struct Soil {
-    /// 1 − W h / K.
-    pub(super) factor: f64,
-    /// Horizontal acceleration added to every part by this rotation under static loads, m/s².
-    pub(super) offset: [f64; 2],
-    pub(super) standing: Standing,
-}
-
 pub(super) fn limits_of(
     stack: &Stack,
     cut: Cut,
     loads: &[Load],
     options: &StackLimits,
-    soil: &Soil,
+    soil: &OnSoil,
 ) -> CutLimits {
     let part = Part::of(stack, cut, loads, soil);
     let Part {
@@ -98,12 +90,12 @@ pub(super) struct Part<'a> {
     load: Load,
     contact: Contact,
     normal_force: f64,
-    soil: &'a Soil,
+    soil: &'a OnSoil,
     gravity: f64,
 }
 
 impl<'a> Part<'a> {
-    pub(super) fn of(stack: &'a Stack, cut: Cut, loads: &[Load], soil: &'a Soil) -> Self {
+    pub(super) fn of(stack: &'a Stack, cut: Cut, loads: &[Load], soil: &'a OnSoil) -> Self {
         let load = together(loads, &cut.blocks);
         let contact = contact(stack, &cut);
         Part {
@@ -150,19 +142,20 @@ impl<'a> Part<'a> {
                 kind: LimitKind::Sliding,
                 force: (way + self.contact.axes[2] * mu).into(),
                 moment: [0.0; 3],
-                reserve: self.slides_along(angle, mu, cohesion).reserve,
+                reserve: self
+                    .sliding_on_soil(self.slides_along(angle, mu, cohesion))
+                    .reserve,
             });
+        }
+        if self.is_whole() {
+            all.extend(self.soil.resists());
         }
         all
     }
 
-    /// The half plane including the rotation of the soil.
-    fn on_soil(&self, lever: [f64; 2], reserve: f64) -> HalfPlane {
-        let spent = lever[0] * self.soil.offset[0] + lever[1] * self.soil.offset[1];
-        HalfPlane {
-            lever,
-            reserve: (reserve - spent) * self.soil.factor,
-        }
+    /// Whether this is the whole stack.
+    fn is_whole(&self) -> bool {
+        self.cut.blocks.len() == self.stack.blocks().len()
     }
 
     /// Rotation about the line through `pivot` perpendicular to `outward`, both in the plane.
@@ -174,7 +167,12 @@ impl<'a> Part<'a> {
         if ties {
             reserve += self.pull_of_ties(p, axis);
         }
-        self.on_soil([lever.x, lever.y], reserve)
+        let of_loads = axis.cross(self.load.pressed_first - p * self.load.pressed_n);
+        let rigid = HalfPlane {
+            lever: [lever.x, lever.y],
+            reserve,
+        };
+        self.soil.half_plane(rigid, [of_loads.x, of_loads.y])
     }
 
     /// Moment of all ties of the cut that the rotation stretches, each at its strength.
@@ -314,6 +312,12 @@ impl<'a> Part<'a> {
             limits.tipping = self.chords(&pivots);
             tangents.extend(self.refined(best_direction, strength));
         }
+        if self.is_whole() {
+            let overturns = self.soil.overturns(self.load.mass);
+            limits.tipping.extend(overturns);
+            tangents.extend(overturns);
+            with_ties.extend(overturns);
+        }
         let soonest = |all: &[HalfPlane]| {
             let least = all.iter().copied().reduce(|best, other| {
                 if other.distance() < best.distance() {
@@ -405,12 +409,23 @@ impl<'a> Part<'a> {
         (mu, cohesion)
     }
 
-    /// Limit of sliding in one direction of the plane.
+    /// Limit of sliding in one direction of the plane, on rigid ground.
     fn slides_along(&self, angle: f64, mu: f64, bond: f64) -> HalfPlane {
         let way = self.contact.along([angle.cos(), angle.sin()]);
         let lever = (way + self.contact.axes[2] * mu) * self.load.mass;
-        let reserve = mu * self.normal_force + bond - way.dot(self.load.force);
-        self.on_soil([lever.x, lever.y], reserve)
+        HalfPlane {
+            lever: [lever.x, lever.y],
+            reserve: mu * self.normal_force + bond - way.dot(self.load.force),
+        }
+    }
+
+    /// A limit of sliding on the soil.
+    fn sliding_on_soil(&self, rigid: HalfPlane) -> HalfPlane {
+        // the lever holds the mass of the part
+        let of_loads = rigid
+            .lever
+            .map(|part| part * self.load.pressed_n / self.load.mass);
+        self.soil.half_plane(rigid, of_loads)
     }
 
     /// The smallest limit of sliding over all directions.
@@ -426,10 +441,10 @@ impl<'a> Part<'a> {
             }
         }
         let fine = least_on(best.0 - step, best.0 + step, |angle| at(angle).distance());
-        if at(fine).distance() < best.1 * (1.0 - 1e-12) {
-            at(fine)
-        } else {
-            at(best.0)
-        }
+        let least = match at(fine).distance() < best.1 * (1.0 - 1e-12) {
+            true => at(fine),
+            false => at(best.0),
+        };
+        self.sliding_on_soil(least)
     }
 }

@@ -9,12 +9,13 @@
 //! | x | – | horizontal acceleration of the inertia forces m x | m/s² |
 //! | μ, C | `mu`, `cohesion` | smallest friction coefficient of the joints, cohesion × area | –, N |
 //! | f | `compressive_strength_pa` | compressive strength of the stone at the edge of a joint | Pa |
-//! | K | `rocking_stiffness_n_m_rad` | rocking stiffness of the base on its soil, of the [stack](Stack::soil) | N m/rad |
+//! | M(θ), K | – | moment of the footing on its soil, and its initial stiffness: see `footing` | N m, N m/rad |
 
 use super::cuts::cuts;
-use super::loads::{Load, together};
-use super::part::{Soil, limits_of};
-use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLimits, Standing, Threshold};
+use super::loads::Load;
+use super::on_soil::OnSoil;
+use super::part::limits_of;
+use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLimits, Threshold};
 use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Stack;
 
@@ -27,8 +28,8 @@ use crate::structure::stack::Stack;
 /// sliding, all unit v in the plane: x · m (v + μ n)_h ≤ μ N + C − v · F,  N = −F · n
 ///     tilted by β, weight only: a/g = tan(φ − β)
 /// strength:   the line lies at the centroid of the outermost strip of area N/f, in every direction
-/// soil:       the base rotates by θ = (W h a/g + M_s) / (K − W h); every part then has a + g θ, so with M_s = 0
-///             a = a_rigid (1 − W h / K)        W, h weight and height of centroid of the whole stack
+/// soil:       the footing turns by θ and lifts off its soil, M(θ) = m h a + M_s + (W h + Σ P z) θ; every part then has a + g θ.
+///             a is at most that at which the footing overturns; in full contact a = a_rigid (1 − W h/K) with M_s = P = 0
 /// ```
 ///
 /// # Errors
@@ -73,8 +74,7 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
         sliding: None,
         governing: None,
         governing_with_ties: None,
-        soil_factor: soil.factor,
-        soil_offset_m_s2: soil.offset,
+        footing: soil.limit,
         undecided: found.undecided,
         statically_determinate: found.statically_determinate,
     };
@@ -82,38 +82,11 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
     Ok(states)
 }
 
-/// Loads on each block, and the rotation of the soil.
-pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, Soil), StabilityError> {
+/// Loads on each block, and the soil under them.
+pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, OnSoil), StabilityError> {
     let loads = options.loads.on_blocks(stack)?;
-    let all: Vec<usize> = (0..stack.blocks().len()).collect();
-    let soil = soil(stack, &together(&loads, &all), options);
+    let soil = OnSoil::under(stack, &loads, options.loads.vertical_acceleration_m_s2);
     Ok((loads, soil))
-}
-
-fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {
-    let mut soil = Soil {
-        factor: 1.0,
-        offset: [0.0; 2],
-        standing: Standing::Stands,
-    };
-    let Some(below) = stack.soil() else {
-        return soil;
-    };
-    let stiffness = below.rocking_stiffness_n_m_rad;
-    let effective = stack.gravity_m_s2() + options.loads.vertical_acceleration_m_s2;
-    let falling = whole.mass * effective * whole.centroid().z;
-    soil.factor = 1.0 - falling / stiffness;
-    if soil.factor <= 0.0 {
-        soil.standing = Standing::SoilTurns {
-            stiffness_n_m_rad: stiffness,
-            least_n_m_rad: falling,
-        };
-        return soil;
-    }
-    // a moment about y tips towards x, a moment about −x towards y
-    let turn = effective / (stiffness - falling);
-    soil.offset = [whole.static_moment.y * turn, -whole.static_moment.x * turn];
-    soil
 }
 
 /// Sets the smallest margin and the first motion of all cuts.
@@ -183,7 +156,7 @@ mod tests {
     use super::super::towers::{P10, leaning, p20, shifted, tower};
     use super::super::{PointForce, StackLoads, Wind};
     use super::*;
-    use crate::structure::stack::{Block, Body, JointMaterial, Placement, SoilBelow, Solid, Tie};
+    use crate::structure::stack::{Block, Body, JointMaterial, Placement, SoilBelow, Solid, StaticLoad, Tie};
 
     fn limits(stack: &Stack) -> StackLimitStates {
         stack_limits(stack, &StackLimits::default()).unwrap()
@@ -384,19 +357,119 @@ mod tests {
         let on = |stiffness: f64| {
             let soil = SoilBelow {
                 rocking_stiffness_n_m_rad: stiffness,
-                normal_stiffness_pa_m: 1e8,
+                normal_stiffness_pa_m: stiffness / (0.4_f64.powi(4) / 12.0),
                 shear_stiffness_pa_m: 1e8,
             };
             block.clone().with_soil(soil).unwrap()
         };
         let usual = StackLimits::default();
-        assert!((uplift(&on(10.0 * fall), &usual) - 0.18).abs() < 1e-12);
+        // a = b/(2 h) (1 - (S/K)^⅓)
+        for times in [3.0, 10.0, 1e3, 1e9] {
+            let exact = 0.2 * (1.0 - (1.0 / times).cbrt());
+            let found = uplift(&on(times * fall), &usual);
+            assert!((found / exact - 1.0).abs() < 1e-9, "{times}: {found} {exact}");
+        }
+        // rigid ground in the limit
+        assert!((uplift(&on(1e15 * fall), &usual) - 0.2).abs() < 3e-6);
         let states = stack_limits(&on(0.9 * fall), &usual).unwrap();
         assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
-        // a static lateral load of 0.05 g rotates the base by 0.05 / 9, which reduces the limit by 0.05 / 9 and by a tenth
+        // a part that moves while the bed is closed loses W h/K, as before: sliding at 0.05, the middle third ends at 0.06
+        let mut smooth = on(10.0 * fall);
+        let mut material = smooth.joints()[0].material;
+        (material.friction_static, material.friction_kinetic) = (0.05, 0.05);
+        smooth = smooth.with_material(0, material).unwrap();
+        let sliding = stack_limits(&smooth, &usual).unwrap().sliding.unwrap();
+        assert!(
+            (sliding.threshold.acceleration_g - 0.9 * 0.05).abs() < 1e-9,
+            "{sliding:?}"
+        );
+        // a static lateral load of 0.05 g is a part of the push
         let mut both = usual;
         both.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
-        assert!((uplift(&on(10.0 * fall), &both) - 0.9 * (0.15 - 0.05 / 9.0)).abs() < 1e-12);
+        let alone = uplift(&on(10.0 * fall), &StackLimits::default());
+        assert!((uplift(&on(10.0 * fall), &both) - (alone - 0.05)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn exact_loads_turn_the_footing_by_their_heights() {
+        // a roof of P = W on top: N = 2 W, S = W h + P 2 h = 3 W h
+        let weight = 0.32 * 2600.0 * 9.81;
+        let on = |times: f64| {
+            let stiffness = times * weight;
+            let soil = SoilBelow {
+                rocking_stiffness_n_m_rad: stiffness,
+                normal_stiffness_pa_m: stiffness / (0.4_f64.powi(4) / 12.0),
+                shear_stiffness_pa_m: 1e8,
+            };
+            let roof = StaticLoad {
+                block: 0,
+                position_m: [0.0, 0.0, 2.0],
+                force_n: [0.0, 0.0, -weight],
+            };
+            let block = tower(&[(0.4, 2.0)], 0.9).with_static_load(roof).unwrap();
+            limits(&block.with_soil(soil).unwrap())
+        };
+        let exact = 2.0 * 0.2 * (1.0 - 0.1_f64.cbrt());
+        let found = on(30.0).uplift.unwrap().threshold.acceleration_g;
+        assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
+        // K = 2.9 W h bears the weight, and not the roof
+        let states = on(2.9);
+        assert_eq!(states.verdict, Verdict::Unstable);
+        assert!(
+            matches!(states.standing, Standing::SoilTurns { .. }),
+            "{:?}",
+            states.standing
+        );
+    }
+
+    #[test]
+    fn agrees_a_footing_by_strips_in_any_direction() {
+        // another way: pressures of strips across the push, θ stepped, settlement by bisection; the sides 0.5 and 0.4 m, diagonal push
+        let (b, l, n, k, s) = (0.5_f64, 0.5_f64, 1e4_f64, 2e6_f64, 0.6e4_f64);
+        let strips = 40;
+        let at = |i: usize, side: f64| side * ((i as f64 + 0.5) / strips as f64 - 0.5);
+        let moment = |theta: f64| {
+            let way = 0.5_f64.sqrt();
+            let sums = |c: f64| {
+                let (mut force, mut moment) = (0.0, 0.0);
+                for i in 0..strips {
+                    for j in 0..strips {
+                        let r = way * (at(i, b) + at(j, l));
+                        let p = k * (c + theta * r).max(0.0) * b * l / (strips * strips) as f64;
+                        (force, moment) = (force + p, moment + p * r);
+                    }
+                }
+                [force, moment]
+            };
+            let (mut low, mut high) = (-0.4 * theta, n / (k * b * l) + 0.4 * theta);
+            for _ in 0..24 {
+                let middle = 0.5 * (low + high);
+                match sums(middle)[0] > n {
+                    true => high = middle,
+                    false => low = middle,
+                }
+            }
+            sums(low)[1]
+        };
+        let footing = |stiffness_pa_m: f64| super::super::footing::Footing {
+            patch: crate::structure::stack::Polygon {
+                corners_m: vec![[-0.25, -0.25], [0.25, -0.25], [0.25, 0.25], [-0.25, 0.25]],
+            },
+            middle_m: [0.0; 3],
+            stiffness_pa_m,
+            strength_pa: None,
+            force_n: n,
+            falls_n_m: s,
+            lever_kg_m: 1.0,
+            settled: [0.0; 2],
+            pushed: [0.0; 2],
+        };
+        let standing = super::super::footing::StandingFooting::of(footing(k), 9.81).unwrap();
+        let peak = standing.overturns([0.5_f64.sqrt(), 0.5_f64.sqrt()]).unwrap();
+        let theta = peak.turn[0].hypot(peak.turn[1]);
+        let strips_at = |theta: f64| moment(theta) - s * theta;
+        assert!((strips_at(theta) / peak.acceleration_m_s2 - 1.0).abs() < 3e-3);
+        assert!(strips_at(0.9 * theta) < strips_at(theta) && strips_at(1.1 * theta) < strips_at(theta));
     }
 
     #[test]

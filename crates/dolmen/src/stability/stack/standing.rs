@@ -56,8 +56,15 @@ pub enum Standing {
     SoilTurns {
         /// Rocking stiffness on the soil, N m/rad.
         stiffness_n_m_rad: f64,
-        /// The required stiffness: weight × height of the centroid, N m/rad.
+        /// The required stiffness: Σ of weights and vertical loads times their heights, N m/rad.
         least_n_m_rad: f64,
+    },
+    /// Horizontal static loads overturn the footing on its soil.
+    SoilOverturns {
+        /// Their moment about the bed, N m.
+        moment_n_m: f64,
+        /// The largest moment that the footing bears, N m.
+        bears_n_m: f64,
     },
 }
 
@@ -114,7 +121,14 @@ impl fmt::Display for Standing {
             } => write!(
                 f,
                 "the soil turns away under the stack: its rocking stiffness is {stiffness_n_m_rad:.3e} N m/rad, and \
-                 weight times height of the centroid is {least_n_m_rad:.3e}"
+                 weights and loads times their heights are {least_n_m_rad:.3e}"
+            ),
+            Standing::SoilOverturns {
+                moment_n_m,
+                bears_n_m,
+            } => write!(
+                f,
+                "static loads overturn the footing on its soil: their moment is {moment_n_m:.3e} N m, and it bears {bears_n_m:.3e}"
             ),
         }
     }
