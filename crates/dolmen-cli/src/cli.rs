@@ -35,7 +35,7 @@ pub(crate) enum Verb {
     Draw(Draw),
     /// Where a few sensors observe the modes best and distinguish them, and what they cannot observe
     Sensors(Sensors),
-    /// Is the file right, does the structure stand: stability, limits, modes. Milliseconds
+    /// Is the file right, does the structure stand: stability, limits, modes. Milliseconds; arches with a strength take longer
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),

@@ -147,7 +147,7 @@ messages! {
         },
         YearsChangedOrWeather { from: String, to: String, changed: usize, tested: usize } => {
             en: "{changed} of {tested} frequencies changed beyond chance from {from} to {to}, by the weather or the structure",
-            ko: "{from} 조사에서 {to} 조사까지 고유진동수 {tested}개 중 {changed}개가 우연을 넘어 변화(기온의 영향일 수 있음)",
+            ko: "{from} 조사에서 {to} 조사까지 고유진동수 {tested}개 중 {changed}개가 우연을 넘어 변화(기온 또는 구조물의 변화가 원인)",
         },
         Undamped => { en: "computed with 0 % damping (none is given)", ko: "감쇠비 0 %로 해석(입력 없음)" },
         TiltLeftOut { survey: String, tilt: String } => {

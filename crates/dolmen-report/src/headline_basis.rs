@@ -60,8 +60,8 @@ messages! {
             ko: "실측이 아닌 가상 조사 {count}회({first}~{last})",
         },
         Unchecked { surveys: Vec<String> } => {
-            en: "nothing checks the stiffness of survey {surveys}: it fits by construction",
-            ko: "{surveys} 조사의 강성은 검증되지 않음(미지수만큼의 고유진동수에 맞춘 값)",
+            en: "stiffness unchecked, it fits by construction (survey {surveys})",
+            ko: "미검증 강성({surveys} 조사, 미지수만큼의 고유진동수에 맞춘 값)",
         },
         Assumed { assumed: usize, all: usize } => {
             en: "assumed inputs: {assumed} of {all}",

@@ -24,10 +24,6 @@ pub(crate) fn slip(project: &Project, warning: &Warning) -> Sentence {
 }
 
 fn in_words(project: &Project, warning: &Warning) -> Both {
-    let inputs = project.inputs();
-    let mut paths: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
-    paths.sort_by_key(|path| std::cmp::Reverse(path.len())); // "links[1].weight" is part of "links[11].weight" in none
-    paths.dedup();
     Both::of(|language| {
         let mut said = warning.message.text(language);
         for path in &paths {

@@ -153,9 +153,9 @@ fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a Sta
                 loads::Loaded::of_frame(part),
             ));
         }
-        (_, Check::Stack(check)) => {
+        (structure, Check::Stack(check)) => {
             let shaking = stack::peak_g(answer, check);
-            whole.append(stack::sections(check, &state.spring_fits, shaking));
+            whole.append(stack::sections(structure, check, &state.spring_fits, shaking));
             whole.append(loads::sections(
                 &answer.project.loads,
                 state.loads.as_ref(),

@@ -183,8 +183,12 @@ fn of_setups(survey: &Survey, files: &dyn Files, progress: &dyn Progress) -> Res
     let joint = match (survey.merge, survey.setups.first()) {
         (Merge::Preger, Some(first)) => {
             progress.begin(&Stage::Joining);
+            let clipped = records
+                .iter()
+                .flat_map(|of| clipped_channels(&of.faults, of.samples));
             let options = Identify {
                 references: Vec::new(),
+                clipped: clipped.collect(),
                 ..options(first, measured[0].channels())?
             };
             let joint = joint_setups(&measured, &options, merge.pairing.place_within_m)

@@ -50,6 +50,33 @@ fn exact_p10_rocks_at_its_known_threshold_and_slides_first_where_it_is_smooth() 
     assert_eq!((kind.as_str(), (at_g * 1e9).round()), (Some("sliding"), 0.3e9));
 }
 
+/// The rule of height was fitted to pagodas.
+#[test]
+fn holds_only_piled_stones_have_a_frequency_by_height() {
+    let scratch = Scratch::with_examples("by-height");
+    for (example, has_it) in [("piled_blocks", true), ("arch", false), ("trilithon", false)] {
+        let said = scratch
+            .dolmen(&format!("check examples/{example} --full"))
+            .words();
+        assert_eq!(said.contains("By its height alone"), has_it, "{example}: {said}");
+    }
+}
+
+/// A single stone turns about no vertical axis, so its report draws no yaw.
+#[test]
+fn holds_a_report_draws_no_yaw_where_no_joint_turns() {
+    let scratch = Scratch::with_examples("no-yaw");
+    let text = "schema = 1\nkind = \"stack\"\nname = \"One\"\nunits = { length = \"m\" }\ndensity = 2600\n\
+        joint = { friction = 0.6, normal_stiffness = \"1e10 Pa/m\", shear_stiffness = \"4e9 Pa/m\" }\n\
+        blocks = [{ name = \"stone\", width = 0.5, height = 1.5 }]\n";
+    fs::write(scratch.path().join("one.toml"), text).unwrap();
+    let made = scratch.dolmen("report one.toml --motion el-centro-1940-ns --peak 0.3g -o r.html --quiet");
+    assert!(made.status < 2, "{}", made.stderr);
+    let page = fs::read_to_string(scratch.path().join("r.html")).unwrap();
+    assert!(page.contains("Opening of the joints"), "no histories on the page");
+    assert!(!page.contains("Yaw (mrad)"), "a figure of zeros");
+}
+
 #[test]
 fn refuses_a_stack_that_overhangs_with_status_1_and_says_where() {
     let scratch = Scratch::with_examples("overhang");

@@ -107,7 +107,7 @@ fn holds_new_makes_vaults_and_domes_that_stand() {
         let made = scratch.briefly(&format!("new {kind} {kind}"));
         assert_eq!(made.status, 0, "{}", made.stderr);
         let check = scratch.briefly(&format!("check {kind}"));
-        assert_eq!(check.status, 0, "{} {}", check.words(), check.stderr);
+        assert_eq!(check.status, status, "{} {}", check.words(), check.stderr);
         assert!(
             check.words().contains("VERDICT Own weight: stable"),
             "{}",

@@ -12,8 +12,8 @@ messages! {
             ko: "{part}은(는) {survey} 조사의 모드를 설명하는 하나뿐인 해로 정하였다: {values}.",
         },
         OneUnchecked { part: Sentence, survey: String, values: Values } => {
-            en: "{part} is identified from survey {survey}, and nothing checks it: with as many unknown stiffnesses as frequencies it fits whatever the structure is: {values}. A measured mode shape would check it.",
-            ko: "{part}은 {survey} 조사의 고유진동수로 정하였으나 검증되지 않았다. 미지 강성의 수가 고유진동수의 수와 같아 구조물이 실제로 어떻든 맞는다: {values}. 모드형상을 계측하면 검증할 수 있다.",
+            en: "{part} is identified from survey {survey}: {values}. Nothing checks it: as many unknowns as frequencies always fit.",
+            ko: "{part}은 {survey} 조사에서 정하였다: {values}. 미지수만큼의 고유진동수에는 언제나 맞으므로 검증된 값이 아니다.",
         },
         Worst { part: Sentence, survey: String, number: usize, of: usize, values: Values } => {
             en: "{part} is identified from survey {survey}, which {of} solutions explain. What follows rests on solution {number}, of all the one that a check judges worst: {values}. The others stand beside it as variants; `dolmen identify` says which measurement tells them apart.",

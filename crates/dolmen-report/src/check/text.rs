@@ -186,7 +186,9 @@ fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
             document
         }
         (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
-        (_, Check::Stack(answer)) => stack::sections(answer, &state.spring_fits, Shaking::default()),
+        (_, Check::Stack(answer)) => {
+            stack::sections(structure, answer, &state.spring_fits, Shaking::default())
+        }
         (_, Check::Building(of)) => building::sections(of, &project.loads),
         (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
     };

@@ -46,7 +46,7 @@ pub(crate) fn kind_words(structure: &Structure, language: Language) -> &'static 
         ),
         Structure::Frame(_) => language.pick(
             "Structural safety of a frame of storeys",
-            "문루(골조)의 구조안전성 검토",
+            "골조의 구조안전성 검토",
         ),
         Structure::Stack(_) => language.pick("Stability of a stack of stones", "적층 석조물의 안정성 검토"),
         Structure::Building(_) => language.pick(

@@ -412,10 +412,10 @@ fn holds_one_fault_is_one_and_notes_of_a_record_are_in_the_language_of_the_page(
     );
     assert!(
         english.contains("2 channels of")
-            && english.contains("by 0.1200 ± 0.0010\u{202f}s (modes that tell it: 2)")
+            && english.contains("late by 0.1200 ± 0.0010\u{202f}s (modes that tell it: 2)")
     );
     let korean = page(&[answer], Language::Korean);
-    assert!(korean.contains("0.1200 ± 0.0010") && korean.contains("begins에 이 지연을 더하면"));
+    assert!(korean.contains("0.1200 ± 0.0010") && korean.contains("begins에 늦은 만큼 더하거나"));
     assert!(!korean.contains("[영문]"));
 }
 

@@ -85,6 +85,10 @@ messages! {
             en: "no real stiffness explains the measured modes ({modes}).",
             ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다.",
         },
+        EarlierOne { latest: String } => {
+            en: "Stiffness from vibration is summed up for survey {latest} alone; 1 other survey gives one too.",
+            ko: "진동으로 추정한 강성은 {latest} 조사의 것만 요약하였다. 강성을 추정한 다른 조사가 1건 더 있다.",
+        },
         Earlier { earlier: usize, latest: String } => {
             en: "Stiffness from vibration is summed up for survey {latest} alone; {earlier} other surveys give one too.",
             ko: "진동으로 추정한 강성은 {latest} 조사의 것만 요약하였다. 강성을 추정한 다른 조사가 {earlier}건 더 있다.",
@@ -114,9 +118,13 @@ pub(crate) fn findings_of_latest(project: &Project, all: &[SurveyAnswer]) -> Vec
     let latest = giving.iter().copied().max_by_key(|of| date_of(&of.name));
     let mut found = found(project, all, latest.as_slice());
     if let Some(latest) = latest.filter(|_| giving.len() > 1) {
-        let said = Found::Earlier {
-            earlier: giving.len() - 1,
-            latest: latest.name.clone(),
+        let name = latest.name.clone();
+        let said = match giving.len() - 1 {
+            1 => Found::EarlierOne { latest: name },
+            earlier => Found::Earlier {
+                earlier,
+                latest: name,
+            },
         };
         found.push(Finding::new(Tone::Plain, said));
     }

@@ -4,6 +4,7 @@ use super::beside::beside;
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::surveys_many::MANY_FROM;
 use dolmen::blocks::StackMode;
+use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::{MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
@@ -62,7 +63,12 @@ messages! {
 }
 
 /// Frequencies, the one from the height alone, and the springs that surveys imply.
-pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer, fits: &[SpringFit]) {
+pub(super) fn section(
+    document: &mut Document<'_>,
+    structure: &Structure,
+    answer: &StackAnswer,
+    fits: &[SpringFit],
+) {
     match &answer.frequencies {
         Some(StackFrequencies::Known { modes, .. }) => {
             document.put(Block::Table(table(modes)));
@@ -74,10 +80,13 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer, fits: &
         Some(StackFrequencies::Refused(why)) => document.note(Frequencies::Refused { why: why.clone() }),
         None => {}
     }
-    let frequency = 1.0 / answer.check.period_of_thumb.period_s;
-    document.note(Frequencies::OfHeight {
-        frequency: Quantity::new(frequency, Unit::si("Hz"), Digits::Significant(2)),
-    });
+    // the rule was fitted to pagodas: no arch, wall, tower or trilithon follows it
+    if matches!(structure, Structure::Stack(part) if part.made.is_none()) {
+        let frequency = 1.0 / answer.check.period_of_thumb.period_s;
+        document.note(Frequencies::OfHeight {
+            frequency: Quantity::new(frequency, Unit::si("Hz"), Digits::Significant(2)),
+        });
+    }
     let (others, detailed) = fits.split_at(if fits.len() < MANY_FROM { 0 } else { fits.len() - 1 });
     let of_detailed = detailed.iter().filter_map(fitted);
     for sentence in of_detailed

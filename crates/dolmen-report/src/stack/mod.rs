@@ -32,6 +32,7 @@ use crate::document::{Document, Figure};
 use crate::figures::{
     Shaking, direction_series, stack_capacity, stack_directions, stack_governing, stack_view, stone_series,
 };
+use dolmen_project::Structure;
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::{SpringFit, StackAnswer};
@@ -116,7 +117,12 @@ pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Shaking {
 }
 
 /// The sections of a stack; `shaking` is the ground motion.
-pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking: Shaking) -> Document<'a> {
+pub(crate) fn sections<'a>(
+    structure: &Structure,
+    answer: &'a StackAnswer,
+    fits: &[SpringFit],
+    shaking: Shaking,
+) -> Document<'a> {
     let check = &answer.check;
     let mut document = Document::default();
     document.heading(Drawn::Head);
@@ -131,7 +137,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     }
     directions(&mut document, answer, shaking);
     supports::section(&mut document, answer);
-    frequencies::section(&mut document, answer, fits);
+    frequencies::section(&mut document, structure, answer, fits);
     frequency_by_height::section(&mut document, answer);
     local_mechanisms::section(&mut document, answer);
     document

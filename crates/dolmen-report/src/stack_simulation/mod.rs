@@ -27,6 +27,9 @@ use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::stack::{StackRuns, StackSimulation};
 
+/// Least yaw of a joint that is drawn, rad: below it is rounding. Our choice.
+const YAW_LEAST_RAD: f64 = 1e-6;
+
 messages! {
     /// The head and figures of a simulated stack.
     pub(crate) enum Shown in "stack-simulation" {
@@ -127,7 +130,10 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {
     document.charted(after.with_series(|| table_series(&tables::joints(simulation))));
     document.put(Block::Table(tables::joints(simulation)));
     document.paragraph(run::top(simulation));
-    for plot in StackPlot::ALL {
+    let mut joints = simulation.history.joints.iter();
+    let turns = joints.any(|joint| joint.peak_yaw_rad > YAW_LEAST_RAD);
+    let shown = |plot: &StackPlot| turns || *plot != StackPlot::Yaw;
+    for plot in StackPlot::ALL.into_iter().filter(shown) {
         let drawn = Figure::drawn(caption(plot), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });

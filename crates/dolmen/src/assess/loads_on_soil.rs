@@ -15,8 +15,9 @@ const STEPS: usize = 24;
 const BISECTIONS: usize = 30;
 /// Number of load factors of the joints on the turned footing. Our choice: each has a tenth of the error of the one before on common soils.
 const ROUNDS: usize = 6;
-/// Factor on the weight up to which growing loads count where the joints bear any.
+/// Loads up to which the footing is examined where the joints bear any: this factor on the weight, or on the loads. Our choice.
 const WEIGHTS_MOST: f64 = 10.0;
+const LOADS_MOST: f64 = 3.0;
 
 /// The factor on growing loads, at most that on rigid ground, up to which the footing and the joints on it bear them.
 ///
@@ -43,7 +44,8 @@ pub(super) fn factor_on_soil(
     }
     let size = |load: &StaticLoad| load.force_n.iter().map(|part| part * part).sum::<f64>().sqrt();
     let pushed_n: f64 = growing.iter().map(size).sum();
-    let most = rigid.min(WEIGHTS_MOST * bare.mass_kg() * bare.gravity_m_s2() / pushed_n);
+    let weights = WEIGHTS_MOST * bare.mass_kg() * bare.gravity_m_s2() / pushed_n;
+    let most = rigid.min(weights.max(LOADS_MOST));
     if !most.is_finite() {
         return Ok(rigid);
     }

@@ -50,7 +50,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         first_motion_g(without_bed(block()?, &lost)?, JointMaterial::with_friction(0.9))?,
     ));
     let fall_n_m = pressure_pa * width_m * depth_m * half_m;
-    for times in [1.5, 5.0, 50.0, 1e9] {
+    for times in [5.0, 50.0] {
         let soil = SoilBelow {
             rocking_stiffness_n_m_rad: times * fall_n_m,
             normal_stiffness_pa_m: times * fall_n_m * 12.0 / (depth_m * width_m.powi(3)),

@@ -17,7 +17,9 @@ use super::quality::{Quantities, doubt_channels, to_one_quantity};
 use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
 use super::quality::{unequal, widen};
 use super::settings::choose;
-use super::shared_steps::{check, judge_channels, judged, modes_of, note_blends, note_filter};
+use super::shared_steps::{
+    check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter,
+};
 use super::shared_steps::{pick, spectrum, wanted};
 use super::spectrum::FddResult;
 use super::spectrum::FractionScatter;
@@ -27,7 +29,7 @@ use super::spectrum::{REFERENCES_LEAST, keeping_most, least_of_wide};
 use super::subspace::{AllOrders, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Modes, Note, Propagation, Refusal};
-use crate::signal::{ChannelFault, ClippedChannel, Record, clipped_channels, leave_out};
+use crate::signal::{Record, leave_out};
 
 /// Modes of an ambient record, without user interaction: spectrum, a subspace method at all orders, clusters. Some values of
 /// `method` use only the peaks of the spectrum.
@@ -90,12 +92,8 @@ fn of_ambient(
         leave_out_spells(record, &mut analysis.modes, &mut notes);
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::InSpells));
         let before = analysis.modes.modes.clone();
-        leave_out_clipped(
-            record,
-            &clipped(record, options, &notes),
-            &mut analysis.modes,
-            &mut notes,
-        )?;
+        let whole = clipped_record(record, options, &notes);
+        leave_out_clipped(&[whole], &mut analysis.modes, &mut notes)?;
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Clipping));
         leave_out_other_clocks(record, &mut analysis.modes, &mut notes);
         if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
@@ -141,22 +139,6 @@ fn of_ambient(
     notes.extend(of_channels);
     analysis.notes = notes;
     Ok(analysis)
-}
-
-/// The channels that are clipped in the record, or were before it was conditioned.
-fn clipped(record: &Record, options: &Identify, notes: &[Note]) -> Vec<ClippedChannel> {
-    let faults: Vec<ChannelFault> = notes
-        .iter()
-        .filter_map(|note| match note {
-            Note::Channel(fault) => Some(fault.clone()),
-            _ => None,
-        })
-        .collect();
-    let mut all = options.clipped.clone();
-    let mut seen = clipped_channels(&faults, record.length());
-    seen.retain(|of| all.iter().all(|known| known.channel != of.channel));
-    all.extend(seen);
-    all
 }
 
 /// Identification with only the channels of one clock, if others were left out: their phases would split or destroy a mode.

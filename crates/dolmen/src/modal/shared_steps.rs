@@ -3,13 +3,14 @@
 use super::decay::{SHORT, short_spectrum};
 use super::error::{references_of, refused};
 use super::options::Identify;
+use super::quality::ClippedRecord;
 use super::settings::passed_hz;
 use super::spectrum::{Efdd, Fdd, FddResult, efdd, fdd};
 use super::subspace::Deviations;
 use super::subspace::{AllOrders, Criteria, Stabilization, judge_poles};
 use super::subspace::{Cluster, Clustering, Fate, group_poles};
 use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation};
-use crate::signal::{ChannelFault, Record, inspect};
+use crate::signal::{ChannelFault, Record, clipped_channels, inspect};
 
 /// Adds a note if a requested frequency is above the pass band of the record's anti-alias filter.
 pub(super) fn note_filter(record: &Record, options: &Identify, notes: &mut Vec<Note>) {
@@ -133,6 +134,30 @@ pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
         }
     }
     Ok(notes)
+}
+
+/// The record with the channels that are clipped in it, or were before it was conditioned, as `notes` and `options` name them.
+pub(super) fn clipped_record<'a>(
+    record: &'a Record,
+    options: &Identify,
+    notes: &[Note],
+) -> ClippedRecord<'a> {
+    let faults: Vec<ChannelFault> = notes
+        .iter()
+        .filter_map(|note| match note {
+            Note::Channel(fault) => Some(fault.clone()),
+            _ => None,
+        })
+        .collect();
+    let mut clipped = options.clipped.clone();
+    let mut seen = clipped_channels(&faults, record.length());
+    seen.retain(|of| clipped.iter().all(|known| known.channel != of.channel));
+    clipped.extend(seen);
+    ClippedRecord {
+        record,
+        places: (0..record.channels().len()).collect(),
+        clipped,
+    }
 }
 
 /// Keeps only the modes picked by hand; each pick must have exactly one mode. Returns the frequencies of the other modes,

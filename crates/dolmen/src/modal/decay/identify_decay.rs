@@ -216,7 +216,7 @@ pub(crate) fn short_spectrum(record: &Record, options: &Fdd) -> Result<FddResult
 mod tests {
     use super::*;
     use crate::modal::{Method, identify};
-    use crate::signal::Channel;
+    use crate::signal::{Channel, cut, leave_out};
     use std::f64::consts::PI;
 
     #[test]
@@ -295,6 +295,50 @@ mod tests {
             "{cut}"
         );
         assert!(identify(&record(&swing), &options).is_ok());
+    }
+
+    #[test]
+    fn holds_a_clipped_channel_of_a_decay_is_named_and_without_it_or_later_the_modes_are_right() {
+        const MODES: [(f64, f64, [f64; 3]); 2] =
+            [(2.0, 0.01, [1.0, 0.7, 0.4]), (5.3, 0.015, [0.3, -0.4, 0.2])];
+        let y = |c: usize, i: u32| -> f64 {
+            let t = 0.01 * f64::from(i);
+            let of = MODES.map(|(f, zeta, shape)| {
+                let omega = 2.0 * PI * f;
+                shape[c] * (-zeta * omega * t).exp() * (omega * (1.0 - zeta * zeta).sqrt() * t).sin()
+            });
+            let value: f64 = of.iter().sum();
+            if c == 1 { value.clamp(-0.5, 0.5) } else { value }
+        };
+        let samples = (0..3).map(|c| (0..2000).map(|i| y(c, i)).collect());
+        let channels = ["a", "b", "c"].map(Channel::named).to_vec();
+        let record = Record::new(channels, samples.collect(), 100.0).unwrap();
+        let options = Identify {
+            method: Method::Era,
+            ..Identify::default()
+        };
+        let ModalError::ClippedDecay {
+            channel,
+            whole_from_s,
+            ..
+        } = identify(&record, &options).unwrap_err()
+        else {
+            panic!("taken as sound")
+        };
+        assert_eq!(channel, "b");
+        let without = leave_out(record.clone(), &["b"]).unwrap();
+        let later = cut(record.clone(), whole_from_s, record.duration_s()).unwrap();
+        for part in [without, later] {
+            let found = identify(&part, &options).unwrap();
+            assert_eq!(found.modes.modes.len(), 2);
+            for (mode, (f, zeta, _)) in found.modes.modes.iter().zip(MODES) {
+                assert!((mode.frequency_hz / f - 1.0).abs() < 1e-6, "{mode:?}");
+                assert!(
+                    (mode.damping_ratio.unwrap() / zeta - 1.0).abs() < 1e-3,
+                    "{mode:?}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -366,6 +366,7 @@ mod tests {
     use super::super::made::{MadeOnGround, MadeOneMass};
     use super::*;
     use crate::modal::identify;
+    use crate::signal::ChannelFault;
 
     fn options() -> Identify {
         Identify {
@@ -447,6 +448,30 @@ mod tests {
                 );
             }
             assert!(within.iter().all(|count| *count >= 5), "{what} {within:?}");
+        }
+    }
+
+    #[test]
+    fn holds_a_clipped_channel_above_measured_ground_is_named_and_makes_no_mode() {
+        let truth = MadeOnGround::held_hz();
+        for (seed, clipped) in [(0, 1), (1, 2)] {
+            let record = MadeOnGround { seed, ..AMBIENT }.make().unwrap();
+            let end = record.mean_square(clipped).sqrt();
+            let samples = (0..3).map(|c| {
+                let end = if c == clipped { end } else { f64::INFINITY };
+                record.samples(c).iter().map(|y| y.clamp(-end, end)).collect()
+            });
+            let channels = record.channels().to_vec();
+            let record = Record::new(channels, samples.collect(), record.sampling_rate_hz()).unwrap();
+            let found = identify(&record, &options()).unwrap();
+            let name = &record.channels()[clipped].name;
+            let is_named = |note: &Note| matches!(note, Note::Channel(ChannelFault::Clipped { channel, .. }) if channel == name);
+            assert!(found.notes.iter().any(is_named), "{:?}", found.notes);
+            let hz: Vec<f64> = found.modes.modes.iter().map(|mode| mode.frequency_hz).collect();
+            assert_eq!(hz.len(), 2, "{seed} {hz:?}");
+            for (found_hz, hz) in hz.iter().zip(truth) {
+                assert!((found_hz / hz - 1.0).abs() < 0.02, "{seed} {found_hz} {hz}");
+            }
         }
     }
 

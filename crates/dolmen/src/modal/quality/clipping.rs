@@ -34,7 +34,16 @@ const WEIGHT_LEAST: f64 = 1e-3;
 /// Fewest lines on each side of a mode.
 const LINES_BESIDE: f64 = 1.0;
 
-/// Removes and names the modes that clipping creates. `clipped` are the channels that are clipped.
+/// A record and its clipped channels.
+#[derive(Clone, Debug)]
+pub(crate) struct ClippedRecord<'a> {
+    pub(crate) record: &'a Record,
+    /// Index of each channel among those of the modes.
+    pub(crate) places: Vec<usize>,
+    pub(crate) clipped: Vec<ClippedChannel>,
+}
+
+/// Removes and names the modes that clipping creates. `records` are those behind the modes: one, or several setups.
 ///
 /// ```text
 /// y = clip(x) = a x + d      E[d(t) z(s)] = 0 for each z that is jointly Gaussian with x: no other channel shows d       (Bussgang)
@@ -50,40 +59,39 @@ const LINES_BESIDE: f64 = 1.0;
 ///
 /// # Limits
 /// The motion is taken as Gaussian and stationary. A mode that only clipped channels show, at a frequency where d is stronger, is removed too.
+/// A sensor that is clipped in one setup counts as clipped in all.
 ///
 /// # Source
 /// Bussgang (1952) MIT RLE Technical Report 216; Price (1958) IRE Trans. Inf. Theory 4:69-72.
 pub(crate) fn leave_out_clipped(
-    record: &Record,
-    clipped: &[ClippedChannel],
+    records: &[ClippedRecord<'_>],
     modes: &mut Modes,
     notes: &mut Vec<Note>,
 ) -> Result<(), ModalError> {
-    let place = |of: &ClippedChannel| record.channels().iter().position(|own| own.name == of.channel);
-    let held: Vec<(usize, &ClippedChannel)> =
-        clipped.iter().filter_map(|of| Some((place(of)?, of))).collect();
-    let sound: Vec<usize> = (0..record.channels().len())
-        .filter(|c| held.iter().all(|(own, _)| own != c))
-        .collect();
+    let held: Vec<Held<'_>> = records.iter().flat_map(Held::all).collect();
+    let is_sound = |place: usize| held.iter().all(|own| own.place != place);
+    let sound: Vec<usize> = (0..modes.channels.len()).filter(|c| is_sound(*c)).collect();
     let of_largest = |mode: &Mode| {
         let most =
             (0..mode.shape.len()).max_by(|&a, &b| mode.shape[a].norm().total_cmp(&mode.shape[b].norm()));
-        let own = held.iter().find(|(c, _)| Some(*c) == most);
-        own.copied().filter(|_| !takes_part(mode, &sound))
+        let own = held.iter().filter(|own| Some(own.place) == most);
+        own.max_by(|a, b| a.share().total_cmp(&b.share()))
+            .filter(|_| !takes_part(mode, &sound))
     };
-    if modes.channels.len() != record.channels().len() || !modes.modes.iter().any(|m| of_largest(m).is_some())
-    {
+    // channels may have been left out
+    let is_whole = |of: &ClippedRecord<'_>| of.places.iter().all(|place| *place < modes.channels.len());
+    let placed = records.iter().flat_map(|of| &of.places).max();
+    let are_all = placed.is_some_and(|last| last + 1 == modes.channels.len()) && records.iter().all(is_whole);
+    if !are_all || !modes.modes.iter().any(|m| of_largest(m).is_some()) {
         return Ok(());
     }
-    let matrices = SpectralMatrices::of(record, Fdd::default().lines_of(record)?)?;
-    let step_hz = 0.5 * record.sampling_rate_hz() / matrices.lines() as f64;
     let mut found: Vec<FromClipping> = Vec::new();
     let (mut kept, mut made): (Vec<Mode>, Vec<(Mode, FromClipping)>) = (Vec::new(), Vec::new());
     for mode in std::mem::take(&mut modes.modes) {
-        let explained = of_largest(&mode).map(|(c, of)| {
-            let distortion = Distortion::of(&matrices, c, of.shares);
-            (of, distortion.share(&mode, (&sound, step_hz)))
-        });
+        let explained = match of_largest(&mode) {
+            Some(own) => Some((own.of, own.explained(&mode, &sound)?)),
+            None => None,
+        };
         match explained {
             Some((of, share)) if share >= EXPLAINS => {
                 let own = FromClipping {
@@ -106,6 +114,46 @@ pub(crate) fn leave_out_clipped(
         notes.push(Note::Clipping { modes: found });
     }
     Ok(())
+}
+
+/// A clipped channel of a record.
+#[derive(Clone, Copy)]
+struct Held<'a> {
+    within: &'a ClippedRecord<'a>,
+    channel: usize,
+    place: usize,
+    of: &'a ClippedChannel,
+}
+
+impl<'a> Held<'a> {
+    fn all(within: &'a ClippedRecord<'a>) -> impl Iterator<Item = Held<'a>> {
+        within.clipped.iter().filter_map(move |of| {
+            let channels = within.record.channels();
+            let channel = channels.iter().position(|own| own.name == of.channel)?;
+            Some(Held {
+                within,
+                channel,
+                place: *within.places.get(channel)?,
+                of,
+            })
+        })
+    }
+
+    fn share(&self) -> f64 {
+        self.of.shares.iter().sum()
+    }
+
+    /// Share of the distortion in the power of the channel near a mode. `sound` are the places that are clipped in no record.
+    fn explained(&self, mode: &Mode, sound: &[usize]) -> Result<f64, ModalError> {
+        let ClippedRecord { record, places, .. } = self.within;
+        let matrices = SpectralMatrices::of(record, Fdd::default().lines_of(record)?)?;
+        let step_hz = 0.5 * record.sampling_rate_hz() / matrices.lines() as f64;
+        let others: Vec<usize> = (0..places.len())
+            .filter(|c| sound.contains(&places[*c]))
+            .collect();
+        let distortion = Distortion::of(&matrices, self.channel, self.of.shares);
+        Ok(distortion.share(mode, (&others, step_hz)))
+    }
 }
 
 /// Whether one of these channels moves in a mode. Without standard deviations this is unknown: false.
@@ -243,8 +291,8 @@ fn distorted(powers: &[f64], r: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::modal::{Identify, MadeMode, MadeRecord, Refusal, identify};
-    use crate::signal::{Channel, Quantity};
+    use crate::modal::{Identify, MadeMode, MadeRecord, Refusal, identify, joint_setups};
+    use crate::signal::{Channel, Quantity, leave_out};
 
     /// Modes at these frequencies, of which the lowest is the strongest; the first channel is clipped at one standard deviation.
     fn clipped(modes: &[(f64, [f64; 4])], seed: u64) -> Record {
@@ -325,6 +373,28 @@ mod tests {
         let found = identify(&record, &wanted).unwrap();
         let accepted = found.modes.modes[1].accepted.unwrap();
         assert_eq!(accepted.refusal, Some(Refusal::Clipping));
+    }
+
+    #[test]
+    fn holds_setups_identified_as_one_lose_what_a_clipped_reference_makes_and_no_mode() {
+        let setup = |seed: u64, moved: &str| {
+            let all = clipped(&[FIRST, THIRD], seed);
+            leave_out(all, &[moved]).unwrap()
+        };
+        let setups = [setup(1, "d"), setup(2, "c")];
+        let found = joint_setups(&setups, &Identify::default(), 0.1).unwrap();
+        let made = made_by_clipping(&found.notes);
+        assert!(made.iter().all(|of| of.channel == "a"), "{made:?}");
+        assert!(
+            made.iter().any(|of| (of.frequency_hz - 3.69).abs() < 0.04),
+            "{:?}",
+            found.notes
+        );
+        let hz: Vec<f64> = found.modes.modes.iter().map(|mode| mode.frequency_hz).collect();
+        assert!(
+            hz.len() == 2 && (hz[0] - 1.23).abs() < 0.01 && (hz[1] - 8.9).abs() < 0.05,
+            "{hz:?}"
+        );
     }
 
     #[test]

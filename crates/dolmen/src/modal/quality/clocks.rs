@@ -4,6 +4,8 @@
 //! |:--|:--|:--|:--|
 //! | C_jq | `turns` | Σ z_c z_r* of part q at mode j: channel c with the reference channel r | – |
 //! | d | `ppm` | rate of the clock of c relative to that of r, positive if fast | 1e-6 |
+//! | γ_j | `coherence` | coherence of channel and reference at mode j over the whole record, drift removed | – |
+//! | K_j | `independent` | number of independent pieces of the record at mode j | – |
 //! | ω_j, t_q | `omega`, `at_s` | circular frequency of the mode, middle of the part | rad/s, s |
 
 use crate::modal::{Mode, Modes, Note};
@@ -20,6 +22,9 @@ const CYCLES: f64 = 24.0;
 const MODES_MOST: usize = 4;
 /// Mean coherence below which a mode gives no information about a channel. Our choice.
 const COHERENCE_LEAST: f64 = 0.5;
+/// Largest probability that channels which move independently look as coherent as this with some drift. Our choice: one false claim in a thousand
+/// surveys of a hundred pairs of channels is 1e-5.
+const CHANCE_MOST: f64 = 1e-6;
 /// Largest drift in the search. Our choice: quartz clocks of recorders stay within 100 ppm.
 const PPM_MOST: f64 = 300.0;
 /// Phase change of the highest mode in one step of the search, rad.
@@ -60,7 +65,7 @@ pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: 
     let Some(reference) = (0..l).max_by(|a, b| motion(*a).total_cmp(&motion(*b))) else {
         return;
     };
-    let drifts: Vec<Option<Drift>> = of_channels(record, &seen, reference);
+    let drifts = of_channels(record, &seen, reference);
     let turn_ppm = 1e6 * TURN_LEAST / (TAU * highest_hz * record.duration_s());
     let known = || drifts.iter().flatten();
     let likes = |base: &Drift| known().filter(|d| !d.differs(base, turn_ppm)).count();
@@ -119,36 +124,64 @@ fn best_known(modes: &[Mode]) -> Vec<Mode> {
 /// C_jq of one mode: phase of every channel relative to the reference in each part, and its coherence.
 struct PhaseTurns {
     omega: f64,
+    independent: f64,
     /// Parts of channels.
     cross: Vec<Vec<Complex64>>,
+}
+
+/// C_jq of one mode and one channel.
+struct ChannelTurns {
+    omega: f64,
+    independent: f64,
+    parts: Vec<Complex64>,
+}
+
+impl ChannelTurns {
+    /// The parts, with the phase of a drift removed.
+    fn without(&self, ppm: f64, duration_s: f64) -> impl Iterator<Item = Complex64> {
+        let turn = 1e-6 * ppm * self.omega;
+        let parts = self.parts.iter().enumerate();
+        parts.map(move |(q, z)| z * Complex64::from_polar(1.0, turn * middle_s(q, duration_s)))
+    }
+
+    /// γ with this drift removed.
+    fn coherence(&self, ppm: f64, duration_s: f64) -> f64 {
+        self.without(ppm, duration_s).sum::<Complex64>().norm() / self.parts.len() as f64
+    }
+}
+
+/// Middle of a part, from the middle of the record, s.
+fn middle_s(part: usize, duration_s: f64) -> f64 {
+    ((part as f64 + 0.5) / PARTS as f64 - 0.5) * duration_s
 }
 
 fn of_channels(record: &Record, modes: &[Mode], reference: usize) -> Vec<Option<Drift>> {
     let turns: Vec<PhaseTurns> = modes
         .iter()
-        .filter_map(|mode| turns(record, mode.frequency_hz, reference))
+        .filter_map(|mode| turns(record, mode, reference))
         .collect();
-    let l = record.channels().len();
-    let duration_s = record.duration_s();
-    (0..l)
+    let of_channel = |c: usize| -> Vec<ChannelTurns> {
+        let each = turns.iter().map(|t| ChannelTurns {
+            omega: t.omega,
+            independent: t.independent,
+            parts: t.cross.iter().map(|part| part[c]).collect(),
+        });
+        each.filter(|t| t.parts.iter().map(|z| z.norm()).sum::<f64>() > COHERENCE_LEAST * PARTS as f64)
+            .collect()
+    };
+    (0..record.channels().len())
         .map(|c| {
             if c == reference {
                 return (!turns.is_empty()).then_some(Drift { ppm: 0.0, sd: 0.0 });
             }
-            let seen: Vec<(f64, Vec<Complex64>)> = turns
-                .iter()
-                .map(|t| (t.omega, t.cross.iter().map(|part| part[c]).collect::<Vec<_>>()))
-                .filter(|(_, parts)| {
-                    parts.iter().map(|z| z.norm()).sum::<f64>() > COHERENCE_LEAST * parts.len() as f64
-                })
-                .collect();
-            drift(&seen, duration_s)
+            drift(&of_channel(c), record.duration_s())
         })
         .collect()
 }
 
 /// Coherence of each channel with the reference in each part, with its phase; `None` if the parts are too short.
-fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTurns> {
+fn turns(record: &Record, mode: &Mode, reference: usize) -> Option<PhaseTurns> {
+    let frequency_hz = mode.frequency_hz;
     let rate_hz = record.sampling_rate_hz();
     let length = (CYCLES * rate_hz / frequency_hz).round() as usize;
     let part = record.length() / PARTS;
@@ -184,26 +217,23 @@ fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTu
         let over = |c: usize| (power[c] * power[reference]).sqrt().max(f64::MIN_POSITIVE);
         (0..l).map(|c| cross[c] / over(c)).collect()
     });
+    let memory = mode
+        .damping_ratio
+        .map_or(f64::INFINITY, |zeta| zeta * omega * record.duration_s());
     Some(PhaseTurns {
         omega,
+        independent: memory.min((record.length() / length) as f64),
         cross: cross.collect(),
     })
 }
 
-/// The drift that makes the phases of each mode constant: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, refined by least squares.
-fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
-    let highest = seen.iter().map(|(omega, _)| *omega).reduce(f64::max)?;
-    let at_s = |q: usize| ((q as f64 + 0.5) / PARTS as f64 - 0.5) * duration_s;
-    let turned = |omega: f64, parts: &[Complex64], ppm: f64| -> Vec<Complex64> {
-        let back = |q: usize| Complex64::from_polar(1.0, 1e-6 * ppm * omega * at_s(q));
-        parts.iter().enumerate().map(|(q, z)| z * back(q)).collect()
-    };
-    let gathered = |ppm: f64| -> f64 {
-        seen.iter()
-            .map(|(omega, parts)| turned(*omega, parts, ppm).iter().sum::<Complex64>().norm())
-            .sum()
-    };
-    let steps = (PPM_MOST * 1e-6 * highest * duration_s / TURN_STEP).clamp(1.0, STEPS_MOST) as i64;
+/// The drift that makes the phases of each mode constant: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, refined by least squares. `None` if the
+/// channels are not coherent with any drift.
+fn drift(seen: &[ChannelTurns], duration_s: f64) -> Option<Drift> {
+    let highest = seen.iter().map(|t| t.omega).reduce(f64::max)?;
+    let gathered = |ppm: f64| -> f64 { seen.iter().map(|t| t.coherence(ppm, duration_s)).sum() };
+    let turn = PPM_MOST * 1e-6 * highest * duration_s;
+    let steps = (turn / TURN_STEP).clamp(1.0, STEPS_MOST) as i64;
     let ppm_of = |i: i64| PPM_MOST * i as f64 / steps as f64;
     // from zero outwards, so that equally good drifts give zero
     let order = (0..=steps).flat_map(|i| [i, -i]);
@@ -211,11 +241,11 @@ fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
     let (ppm, _) = best.reduce(|a, b| if b.1 > a.1 * (1.0 + 1e-9) { b } else { a })?;
     let (mut slope, mut square, mut power, mut count) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
     let mut residuals: Vec<(f64, f64, f64)> = Vec::new();
-    for (omega, parts) in seen {
-        let back = turned(*omega, parts, ppm);
+    for of in seen {
+        let back: Vec<Complex64> = of.without(ppm, duration_s).collect();
         let middle: Complex64 = back.iter().sum();
         for (q, z) in back.iter().enumerate() {
-            let lever = 1e-6 * omega * at_s(q); // rad a ppm
+            let lever = 1e-6 * of.omega * middle_s(q, duration_s); // rad a ppm
             let angle = (z * middle.conj()).arg();
             residuals.push((angle, lever, z.norm_sqr()));
             slope += z.norm_sqr() * lever * angle;
@@ -229,13 +259,32 @@ fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
         count += 1.0;
     }
     let sd = (square / (count - 1.0).max(1.0) / power).sqrt();
-    Some(Drift { ppm: ppm - more, sd }).filter(|d| d.ppm.is_finite() && d.sd.is_finite())
+    let found = Drift { ppm: ppm - more, sd };
+    let is_known = found.ppm.is_finite() && found.sd.is_finite();
+    (is_known && is_coherent(seen, found.ppm, duration_s)).then_some(found)
+}
+
+/// Whether channels are coherent once this drift is removed, more than chance explains.
+///
+/// ```text
+/// P = M Π_j (1 − γ_j²)^(K_j − 1)         independent Gaussian motion (Goodman 1957); M, number of distinct drifts in the search
+/// K_j = min(ζ_j ω_j T, f_j T / 24)       the correlation of a mode falls as e^(−ζω|τ|); pieces of 24 cycles
+/// ```
+fn is_coherent(seen: &[ChannelTurns], ppm: f64, duration_s: f64) -> bool {
+    let coherence = |of: &ChannelTurns| of.coherence(ppm, duration_s);
+    let mean = seen.iter().map(coherence).sum::<f64>() / seen.len() as f64;
+    let chance = |of: &ChannelTurns| (of.independent - 1.0).max(0.0) * (1.0 - coherence(of).powi(2)).ln();
+    let highest = seen.iter().map(|of| of.omega).fold(0.0, f64::max);
+    // drifts that differ by a turn over the record
+    let distinct = 1.0 + 2.0 * PPM_MOST * 1e-6 * highest * duration_s / TAU;
+    mean > COHERENCE_LEAST && distinct.ln() + seen.iter().map(chance).sum::<f64>() < CHANCE_MOST.ln()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::modal::{Identify, MadeMode, MadeRecord, identify};
+    use crate::numeric::Random;
     use crate::signal::{Join, Piece, Starts, join};
 
     const SHAPES: [[f64; 4]; 3] = [
@@ -308,5 +357,55 @@ mod tests {
             let drifts = |note: &Note| matches!(note, Note::ClockDrift { .. });
             assert!(!found.notes.iter().any(drifts), "{:?}", found.notes);
         }
+    }
+
+    /// C of two channels that move independently: each part is the mean of these many Gaussian products.
+    fn independent(omega: f64, products: usize, random: &mut Random) -> ChannelTurns {
+        let mut part = || {
+            let (mut cross, mut powers) = (Complex64::ZERO, [0.0; 2]);
+            for _ in 0..products {
+                let [a, b] = [(); 2].map(|()| Complex64::new(random.normal(), random.normal()));
+                cross += a * b.conj();
+                powers[0] += a.norm_sqr();
+                powers[1] += b.norm_sqr();
+            }
+            cross / (powers[0] * powers[1]).sqrt()
+        };
+        ChannelTurns {
+            omega,
+            independent: (PARTS * products) as f64,
+            parts: (0..PARTS).map(|_| part()).collect(),
+        }
+    }
+
+    #[test]
+    fn holds_channels_that_move_independently_have_no_common_clock_and_coherent_ones_have() {
+        let mut random = Random::new(4, 0);
+        for run in 0..500 {
+            // few products: the coherence in single parts is often above a half
+            let chance = independent(TAU * 2.7, 3 + run % 4, &mut random);
+            assert!(drift(&[chance], 600.0).is_none(), "{run}");
+        }
+        let mut coherent = independent(TAU * 2.7, 5, &mut random);
+        let turn = |q: usize| Complex64::from_polar(0.7, -40e-6 * TAU * 2.7 * middle_s(q, 600.0));
+        coherent.parts = (0..PARTS).map(turn).collect();
+        let found = drift(&[coherent], 600.0).unwrap();
+        assert!((found.ppm - 40.0).abs() < 1e-6, "{}", found.ppm);
+    }
+
+    #[test]
+    fn exact_chance_of_a_coherence() {
+        // (1 − 0.36)^K-1 M = 1e-6 for K = 1 + (6 ln 10 + ln M) / ln(1/0.64)
+        let at = |more: f64| {
+            let distinct = 1.0 + 2.0 * 300e-6 * 2.0 * 600.0;
+            let needed = 1.0 + (6.0 * 10f64.ln() + f64::ln(distinct)) / (1.0 / 0.64_f64).ln();
+            let turns = ChannelTurns {
+                omega: TAU * 2.0,
+                independent: needed + more,
+                parts: vec![Complex64::new(0.0, 0.6); PARTS],
+            };
+            is_coherent(&[turns], 0.0, 600.0)
+        };
+        assert!(at(0.01) && !at(-0.01));
     }
 }

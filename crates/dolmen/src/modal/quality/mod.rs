@@ -17,7 +17,7 @@ mod shape_checks;
 mod spells;
 mod wander;
 
-pub(super) use clipping::leave_out_clipped;
+pub(super) use clipping::{ClippedRecord, leave_out_clipped};
 pub(super) use clocks::leave_out_other_clocks;
 pub use from_clipping::FromClipping;
 pub(super) use gusts::{unequal, widen};

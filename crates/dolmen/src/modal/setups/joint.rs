@@ -5,17 +5,19 @@ use super::merge_setups::{MergeSetups, MergedSetups};
 use super::pairing::{ObservedMode, pair_modes};
 use super::sensor_places::{ChannelPlace, SensorPlaces};
 use crate::modal::accept::{accepted, candidates, join, taken_out};
+use crate::modal::candidate::Candidate;
 use crate::modal::quality::doubt_channels;
 use crate::modal::quality::remark;
+use crate::modal::quality::{ClippedRecord, leave_out_clipped};
 use crate::modal::quality::{Diagram, of_steady, split_tones, test_for_machines};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{
-    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
+    check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
 };
 use crate::modal::subspace::check_ssi;
 use crate::modal::subspace::{AllOrders, Stabilization};
 use crate::modal::subspace::{Cluster, Clustering};
-use crate::modal::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
+use crate::modal::{Identify, Method, ModalError, Mode, Modes, Note, Propagation, Refusal};
 use crate::signal::Record;
 
 /// Relative difference below which peaks of two setups are the same.
@@ -116,9 +118,10 @@ pub fn joint_setups(
         ..options.clone()
     };
     let mut notes = Vec::new();
-    let (peaks, tones_hz) = peaks_of_all(records, &options, &mut notes)?;
+    let all = peaks_of_all(records, &options, &mut notes)?;
+    let peaks = all.peaks;
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
-    let mut settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
+    let mut settings = choose(shortest, &options, (&peaks, &all.tones_hz), &mut notes)?;
     let ssi = check_ssi(&settings.ssi(), places.channels.len())?;
     // indices among all sensors, not among the fixed ones
     settings.references.clone_from(&references);
@@ -170,9 +173,8 @@ pub fn joint_setups(
     };
     let places_of = |channel_places: &Vec<ChannelPlace>| channel_places.iter().map(|s| s.place).collect();
     let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(channel_places.iter().map(places_of)).collect();
-    let before = modes.modes.clone();
-    test_for_machines(&seen, &options, &mut modes, &mut notes)?;
-    refused.extend(taken_out(&before, &modes.modes, of_steady));
+    let of_setups = (&seen[..], all.clipped);
+    refused.extend(leave_out_made(of_setups, &options, &mut modes, &mut notes)?);
     let peaks_hz: Vec<f64> = peaks.modes.iter().map(|mode| mode.frequency_hz).collect();
     let insisted = accepted(&options, &modes.modes, (&refused, &peaks_hz), &mut notes);
     let not_picked_hz = pick(&options, &mut modes)?;
@@ -191,6 +193,28 @@ pub fn joint_setups(
         strength,
         notes,
     })
+}
+
+/// Removes and returns the modes that machines and clipping make. Each setup comes with the places of its channels.
+fn leave_out_made(
+    (seen, clipped): (&[(&Record, Vec<usize>)], Vec<ClippedRecord<'_>>),
+    options: &Identify,
+    modes: &mut Modes,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Candidate>, ModalError> {
+    let before = modes.modes.clone();
+    test_for_machines(seen, options, modes, notes)?;
+    let mut made = taken_out(&before, &modes.modes, of_steady);
+    let each = clipped.into_iter().zip(seen);
+    let placed = each.map(|(of, (_, places))| ClippedRecord {
+        places: places.clone(),
+        ..of
+    });
+    let clipped: Vec<ClippedRecord<'_>> = placed.collect();
+    let before = modes.modes.clone();
+    leave_out_clipped(&clipped, modes, notes)?;
+    made.extend(taken_out(&before, &modes.modes, |_| Refusal::Clipping));
+    Ok(made)
 }
 
 /// The places of all sensors, and of the channels of each record.
@@ -225,18 +249,29 @@ fn common_places(
     Ok((places, channel_places))
 }
 
-/// Peaks in the spectra of all setups, each once and without machines, and the frequencies of machines, Hz.
-fn peaks_of_all(
-    records: &[Record],
+/// What the spectra of all setups show.
+struct PeaksOfAll<'a> {
+    /// Peaks, each once and without machines.
+    peaks: Modes,
+    /// Frequencies of machines, Hz.
+    tones_hz: Vec<f64>,
+    /// The setups with their clipped channels.
+    clipped: Vec<ClippedRecord<'a>>,
+}
+
+fn peaks_of_all<'a>(
+    records: &'a [Record],
     options: &Identify,
     notes: &mut Vec<Note>,
-) -> Result<(Modes, Vec<f64>), ModalError> {
+) -> Result<PeaksOfAll<'a>, ModalError> {
     let mut all: Option<Modes> = None;
-    let mut tones_hz = Vec::new();
+    let (mut tones_hz, mut clipped) = (Vec::new(), Vec::new());
     for record in records {
         // indices of references refer to the fixed sensors, but the spectrum uses all sensors
         check(record, options)?;
-        notes.extend(judge_channels(record)?);
+        let of_channels = judge_channels(record)?;
+        clipped.push(clipped_record(record, options, &of_channels));
+        notes.extend(of_channels);
         note_filter(record, options, notes);
         let mut peaks = spectrum(record, options)?;
         tones_hz.extend(split_tones(record, &mut peaks, options, notes)?.tones_hz);
@@ -257,7 +292,11 @@ fn peaks_of_all(
         .sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     tones_hz.sort_by(f64::total_cmp);
     tones_hz.dedup_by(|a, b| (*a / *b - 1.0).abs() < ONE_PEAK);
-    Ok((all, tones_hz))
+    Ok(PeaksOfAll {
+        peaks: all,
+        tones_hz,
+        clipped,
+    })
 }
 
 #[cfg(test)]

@@ -422,14 +422,16 @@ impl StandingFooting {
         }
         // false position, with half the weight for an end that stays (Illinois)
         let high_at = dot(peak.turn, way);
-        let (mut low, mut high) = (-high_at, high_at);
-        let Some(first) = self.footing.turned(self.rest, way, low, 0.0) else {
+        // without horizontal loads the push is 0 at no turn; loads against the push turn it back first
+        let back = [0.0, -0.25, -0.5, -1.0].map(|share| share * high_at);
+        let before = back.into_iter().find_map(|along| {
+            let at = self.footing.turned(self.rest, way, along, 0.0)?;
+            (spent(&at) < 0.0).then_some((along, at))
+        });
+        let Some((mut low, first)) = before else {
             return 0.0;
         };
-        let (mut below, mut above) = (spent(&first), spent(&peak));
-        if below >= 0.0 {
-            return 0.0;
-        }
+        let (mut high, mut below, mut above) = (high_at, spent(&first), spent(&peak));
         let mut found = first;
         for _ in 0..ITERATIONS_MOST {
             let middle = (low * above - high * below) / (above - below);

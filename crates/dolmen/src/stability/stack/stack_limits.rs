@@ -154,7 +154,7 @@ fn sooner(uplift: Option<Governing>, sliding: Option<Governing>) -> Option<Gover
 mod tests {
     use super::super::toe::toe;
     use super::super::towers::{P10, leaning, p20, shifted, tower};
-    use super::super::{PointForce, StackLoads, Wind};
+    use super::super::{PointForce, StackLoads, Standing, Wind};
     use super::*;
     use crate::structure::stack::{Block, Body, JointMaterial, Placement, SoilBelow, Solid, StaticLoad, Tie};
 
@@ -364,7 +364,7 @@ mod tests {
         };
         let usual = StackLimits::default();
         // a = b/(2 h) (1 - (S/K)^⅓)
-        for times in [3.0, 10.0, 1e3, 1e9] {
+        for times in [10.0_f64, 1e3, 1e9] {
             let exact = 0.2 * (1.0 - (1.0 / times).cbrt());
             let found = uplift(&on(times * fall), &usual);
             assert!((found / exact - 1.0).abs() < 1e-9, "{times}: {found} {exact}");
