@@ -33,7 +33,16 @@ fn said(message: Brief, language: Language) -> String {
 /// The decisive findings in their order, and how much more there is; if they do not all fit, only those that require action. `above` is
 /// the number of lines of the headline after its first.
 pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style: TextStyle) -> String {
-    let mut left = LINES_MOST.saturating_sub(above + 1);
+    let text = text_within(all, project, LINES_MOST.saturating_sub(above + 1), style);
+    // the line of counts may take two
+    match above + text.lines().count() > LINES_MOST {
+        true => text_within(all, project, LINES_MOST.saturating_sub(above + 2), style),
+        false => text,
+    }
+}
+
+/// The findings that fit into a number of lines, and how much more there is.
+fn text_within(all: &[Finding], project: &Project, mut left: usize, style: TextStyle) -> String {
     let key: Vec<&Finding> = all.iter().filter(|finding| finding.is_key).collect();
     let mut by_weight: Vec<usize> = (0..key.len()).collect();
     by_weight.sort_by_key(|&i| {

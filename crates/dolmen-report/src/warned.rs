@@ -24,19 +24,17 @@ pub(crate) fn slip(project: &Project, warning: &Warning) -> Sentence {
 }
 
 fn in_words(project: &Project, warning: &Warning) -> Both {
+    let inputs = project.inputs();
+    let bare: Vec<&str> = inputs
+        .iter()
+        .map(|input| input.path.as_str())
+        .filter(|path| !path.contains(['[', '.']))
+        .collect();
     Both::of(|language| {
-        let mut said = warning.message.text(language);
-        for path in &paths {
-            if !said.contains(path) {
-                continue;
-            }
-            let words = input_words(&project.structure, path, language);
-            said = match path.contains(['[', '.']) {
-                true => said.replace(path, &words),
-                false => with_item(&said, path, &words),
-            };
-        }
-        said
+        let words = |path: &str| input_words(&project.structure, path, language);
+        let said = paths_in_words(&warning.message.text(language), words);
+        bare.iter()
+            .fold(said, |said, path| with_item(&said, path, &words(path)))
     })
 }
 
@@ -47,4 +45,41 @@ fn with_item(list: &str, path: &str, words: &str) -> String {
         _ => item.to_owned(),
     });
     items.collect::<Vec<_>>().join(", ")
+}
+
+/// A sentence with its whole paths in words. A variant may have paths that the structure as given has not, such as `contacts[1].joint.friction`.
+fn paths_in_words(said: &str, words: impl Fn(&str) -> String) -> String {
+    let is_of_path = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '.' | '[' | ']' | '-');
+    let mut found = String::with_capacity(said.len());
+    let mut rest = said;
+    while !rest.is_empty() {
+        let end = rest.find(|c: char| !is_of_path(c)).unwrap_or(rest.len());
+        let (token, after) = rest.split_at(end);
+        let path = token.trim_end_matches(['.', '-']);
+        match path.contains(['[', '.']) {
+            true => found.push_str(&words(path)),
+            false => found.push_str(path),
+        }
+        found.push_str(&token[path.len()..]);
+        let others = after.find(is_of_path).unwrap_or(after.len());
+        found.push_str(&after[..others]);
+        rest = &after[others..];
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::html::words::path_words;
+    use dolmen_words::Language;
+
+    #[test]
+    fn exact_a_path_of_a_variant_is_in_words_as_a_whole() {
+        let said = "in variant iso: contacts[1].joint.friction is 0.100 of p.toml: raise joint.friction.";
+        assert_eq!(
+            paths_in_words(said, |path| path_words(path, Language::English)),
+            "in variant iso: contact 1 joint friction coefficient is 0.100 of p.toml: raise all joints: friction coefficient."
+        );
+    }
 }

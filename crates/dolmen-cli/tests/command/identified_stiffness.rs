@@ -68,7 +68,7 @@ fn exact_joints_of_the_latest_survey_have_the_stiffness_of_the_closed_form() {
     let said = scratch.dolmen("check project.toml --samples 200");
     assert_eq!(said.status, 0, "{}", said.words());
     for words in [
-        "The stiffness of the joints is identified from survey 2026-04-02, : 986 ± 10 kN·m/rad. Nothing checks it",
+        "The stiffness of the joints is identified from survey 2026-04-02: 986 ± 10 kN·m/rad. Nothing checks it",
         "Model: not measured (calibrated to 2026-04-02)",
         "stiffness unchecked, it fits by construction (survey 2026-04-02)",
         "○ With this stiffness it stands",

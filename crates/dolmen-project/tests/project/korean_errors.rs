@@ -178,7 +178,7 @@ const MISTAKES: [Mistake; 32] = [
         "heunginjimun_gate",
         "mass = 290",
         "mass = 290000",
-        "storeys have 1 t to 20 000 t",
+        "is outside 1 t to 20 000 t",
     ),
     mistake(
         "twisting_floor",

@@ -163,7 +163,7 @@ fn refuses_a_storey_of_nothing_but_columns_where_it_says_nothing() {
         said(&grounded)
     );
     let rubs = with("stiffness = [6, 0], friction = { coefficient = 0.1 }");
-    assert!(said(&rubs).contains("no joint rubs there"), "{}", said(&rubs));
+    assert!(said(&rubs).contains("no joint with friction"), "{}", said(&rubs));
 }
 
 #[test]

@@ -150,24 +150,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         all.push(Finding::key(Tone::Warn, Found::BeforeMoved));
     }
     let under = answer.worst().and_then(CombinationAnswer::stack);
-    if let Some(uncrushed) = under.and_then(|under| under.uncrushed_factor) {
-        all.push(Finding::key(
-            Tone::Warn,
-            match uncrushed.is_finite() {
-                true => Found::EdgesCrush(Quantity::beside_one(uncrushed, DIGITS)),
-                false => Found::EdgesCrushAlone,
-            },
-        ));
-    }
-    if let Some(rigid) = under.and_then(|under| under.rigid_ground_factor) {
-        all.push(Finding::key(
-            Tone::Warn,
-            match rigid.is_finite() {
-                true => Found::FootingTurns(Quantity::beside_one(rigid, DIGITS)),
-                false => Found::FootingTurnsAlone,
-            },
-        ));
-    }
+    all.extend(under.into_iter().flat_map(lessened));
     match under.and_then(|under| under.dilating_factor) {
         Some(dilating) => {
             let dilating = Quantity::beside_one(dilating, DIGITS);
@@ -196,6 +179,22 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         all.extend(no_wind(project, state));
     }
     all
+}
+
+/// What makes the factor of a stack less: edges that crush, and the footing that turns on its soil.
+fn lessened(under: &StackUnderLoads) -> Vec<Finding> {
+    let crushed = under
+        .uncrushed_factor
+        .map(|uncrushed| match uncrushed.is_finite() {
+            true => Found::EdgesCrush(Quantity::beside_one(uncrushed, DIGITS)),
+            false => Found::EdgesCrushAlone,
+        });
+    let turned = under.rigid_ground_factor.map(|rigid| match rigid.is_finite() {
+        true => Found::FootingTurns(Quantity::beside_one(rigid, DIGITS)),
+        false => Found::FootingTurnsAlone,
+    });
+    let all = crushed.into_iter().chain(turned);
+    all.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
 fn of_combination(

@@ -9,6 +9,9 @@ use super::{
 };
 use rayon::prelude::*;
 
+/// Computes the cases of one source.
+type Cases = fn() -> Result<Vec<Case>, ValidationError>;
+
 /// All cases, source by source.
 ///
 /// # Errors
@@ -21,7 +24,7 @@ use rayon::prelude::*;
 /// # Ok::<(), dolmen::comparisons::ValidationError>(())
 /// ```
 pub fn cases() -> Result<Vec<Case>, ValidationError> {
-    let sources: &[fn() -> Result<Vec<Case>, ValidationError>] = &[
+    let sources: &[Cases] = &[
         choi_2021::cases,
         columns::cases,
         free_columns::cases,

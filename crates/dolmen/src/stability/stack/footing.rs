@@ -20,6 +20,8 @@ const FORCE_OFF: f64 = 1e-14;
 const ITERATIONS_MOST: usize = 80;
 /// Relative error of the moment across the push, over N times the size of the bed. Our choice.
 const MOMENT_OFF: f64 = 1e-12;
+/// Largest rotation across a push, over that along it. Our choice: on rigid ground a bed turns about an edge at up to 45° to the push.
+const SIDEWAYS_MOST: f64 = 4.0;
 /// Number of bisections for the rotation at which it overturns: 1e-9 of it, where the push is flat. Our choice.
 const BISECTIONS: usize = 30;
 /// Number of directions in the search for the worst one. Our choice: every 15°, halved four times beside the worst.
@@ -219,20 +221,25 @@ impl Footing {
     }
 
     /// The equilibrium with a given rotation along the push; `None` if it falls across.
-    fn turned(&self, rest: [f64; 2], way: [f64; 2], along: f64, guess: f64) -> Option<Turned> {
+    fn turned(&self, rest: [f64; 2], way: [f64; 2], along: f64) -> Option<Turned> {
         let across = [-way[1], way[0]];
         let near = MOMENT_OFF * self.force_n * self.patch.size_m();
         let given = sum(self.settled, self.pushed);
-        let mut sideways = guess;
+        // the moment across grows with the slope across: its sign says on which side the equilibrium lies
+        let [xx, yy, _] = self.patch.moments().second_m4;
+        let lifts = self.force_n * self.patch.size_m() / (self.stiffness_pa_m * xx.min(yy));
+        let most = SIDEWAYS_MOST * along.abs() + lifts;
+        let (mut low, mut high) = (-most, most);
+        let mut sideways = 0.0;
         for _ in 0..ITERATIONS_MOST {
             let turn = sum(scaled(way, along), scaled(across, sideways));
             let bed = self.bedding(sum(rest, turn))?;
             let off = dot(bed.moment, across) - dot(given, across) - self.falls_n_m * sideways;
             let holds = product(bed.tangent, across, across) - self.falls_n_m;
-            if holds <= 0.0 {
-                return None;
-            }
             if off.abs() <= near {
+                if holds <= 0.0 {
+                    return None;
+                }
                 let coupled = product(bed.tangent, way, across);
                 let slope = product(bed.tangent, way, way) - self.falls_n_m - coupled * coupled / holds;
                 let left = dot(bed.moment, way) - dot(given, way) - self.falls_n_m * along;
@@ -242,7 +249,15 @@ impl Footing {
                     slope: slope / self.lever_kg_m,
                 });
             }
-            sideways -= off / holds;
+            match off > 0.0 {
+                true => high = sideways,
+                false => low = sideways,
+            }
+            let newton = sideways - off / holds;
+            sideways = match holds > 0.0 && newton > low && newton < high {
+                true => newton,
+                false => 0.5 * (low + high),
+            };
         }
         None
     }
@@ -257,7 +272,7 @@ impl Footing {
             return None;
         }
         let rises = |along: f64| {
-            let found = self.turned(rest, way, along, 0.0)?;
+            let found = self.turned(rest, way, along)?;
             (found.slope > 0.0).then_some(found)
         };
         let (mut low, mut high) = (most, most);
@@ -425,7 +440,7 @@ impl StandingFooting {
         // without horizontal loads the push is 0 at no turn; loads against the push turn it back first
         let back = [0.0, -0.25, -0.5, -1.0].map(|share| share * high_at);
         let before = back.into_iter().find_map(|along| {
-            let at = self.footing.turned(self.rest, way, along, 0.0)?;
+            let at = self.footing.turned(self.rest, way, along)?;
             (spent(&at) < 0.0).then_some((along, at))
         });
         let Some((mut low, first)) = before else {
@@ -435,7 +450,7 @@ impl StandingFooting {
         let mut found = first;
         for _ in 0..ITERATIONS_MOST {
             let middle = (low * above - high * below) / (above - below);
-            let Some(at) = self.footing.turned(self.rest, way, middle, 0.0) else {
+            let Some(at) = self.footing.turned(self.rest, way, middle) else {
                 return 0.0;
             };
             found = at;
@@ -458,12 +473,12 @@ impl StandingFooting {
         let (mut low, mut high) = (-high_at, high_at);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
-            let found = self.footing.turned(self.rest, way, middle, 0.0)?;
+            let found = self.footing.turned(self.rest, way, middle)?;
             match found.acceleration_m_s2 > acceleration_m_s2 {
                 true => high = middle,
                 false => low = middle,
             }
         }
-        Some(self.footing.turned(self.rest, way, low, 0.0)?.turn)
+        Some(self.footing.turned(self.rest, way, low)?.turn)
     }
 }
