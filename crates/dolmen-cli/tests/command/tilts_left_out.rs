@@ -1,5 +1,5 @@
 // SOURCE     Our own judgement: drift and lean add up at worst, so of an allowable drift d a tilt t leaves (1 − t/d).
-// GOAL       A measured tilt that a model or a run lacks makes no earthquake "above demand" that it could take; direction and share are named right.
+// GOAL       A measured tilt that a model or a run lacks makes no earthquake "above demand" that it could take, and direction and share are right.
 // TOLERANCE  none: words and exit status.
 
 use super::verbs::{Answer, Scratch};

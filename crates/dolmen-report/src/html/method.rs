@@ -65,7 +65,7 @@ messages! {
             ko: "검토 범위 밖: 여러 층에 걸친 벽체의 휨, 면내로 유연한 바닥, 기초의 회전, 항복과 균열, 강도.",
         },
         SurveyOnly => {
-            en: "Only surveys are reported; no model was made, so that nothing is said about stability.",
+            en: "Only surveys are reported; without a model, stability is not judged.",
             ko: "조사 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",
         },
         Singular => {

@@ -7,8 +7,9 @@ use crate::stability::Verdict;
 use crate::stability::stack::{
     DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
     MovementEnding, OnSoil, PeriodOfThumb, RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits,
-    SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement, limit_analysis,
-    limit_analysis_undilated, period_of_thumb, rocking_blocks, stack_limits, stands_by_limit_analysis,
+    StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
+    limit_analysis, limit_analysis_undilated, period_of_thumb, rocking_blocks, stack_limits,
+    stands_by_limit_analysis, turned_at_rest,
 };
 use crate::structure::stack::Stack;
 
@@ -382,11 +383,8 @@ fn joint_bonds(stack: &Stack) -> bool {
 /// Whether the stack stands only with the bond of its joints.
 fn bond_carries(stack: &Stack, options: &StackCheckOptions, check: &StackCheck) -> Result<bool, AssessError> {
     let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
-    Ok(!stands_by_limit_analysis(
-        stack,
-        &options.limits.loads,
-        direction,
-    )?)
+    let loads = loads_at_rest(stack, options)?;
+    Ok(!stands_by_limit_analysis(stack, &loads, direction)?)
 }
 
 /// If stones share their load: limit analysis with the kinetic friction in every joint, because a joint that has slid keeps it.
@@ -488,11 +486,19 @@ fn friction_carries(
         smooth = smooth.with_material(index, material)?;
     }
     let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
-    Ok(!stands_by_limit_analysis(
-        &smooth,
-        &options.limits.loads,
-        direction,
-    )?)
+    let loads = loads_at_rest(stack, options)?;
+    Ok(!stands_by_limit_analysis(&smooth, &loads, direction)?)
+}
+
+/// The loads, with the lateral part that the weight has on a footing turned by them.
+fn loads_at_rest(stack: &Stack, options: &StackCheckOptions) -> Result<StackLoads, AssessError> {
+    let mut loads = options.limits.loads.clone();
+    let turn = turned_at_rest(stack, &loads)?.unwrap_or_default();
+    let gravity_m_s2 = stack.gravity_m_s2() + loads.vertical_acceleration_m_s2;
+    for (lateral, turn) in loads.lateral_m_s2.iter_mut().zip(turn) {
+        *lateral += gravity_m_s2 * turn;
+    }
+    Ok(loads)
 }
 
 /// The smaller of two thresholds.

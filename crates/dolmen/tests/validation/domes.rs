@@ -1,6 +1,6 @@
 // SOURCE     Vaults: least thickness of semicircular arches of the same section (assemblies.rs). Domes: a linear programme for one slice of the dome,
 //            written here on microlp 0.7; least thicknesses also by scipy 1.16 (HiGHS). A hemisphere of thin slices without hoop forces needs 0.0428
-//            of its middle radius (Heyman 1967 rounds it to 4 %).
+//            of its middle radius.
 // GOAL       Barrels stand and fall as their section; slices and whole domes as the slice with and without hoop forces; too little friction slides.
 //
 //        a whole dome in straight bond is symmetric: if any forces balance it, symmetric ones do. A slice of width 2η then has in its middle plane
