@@ -19,9 +19,9 @@ use dolmen_report::text::{
     simulation_inputs_text, simulation_text, supports_text, wind_simulation_text,
 };
 use dolmen_report::{after_first_text, simulation_headline_text, solution_headlines_text};
-use dolmen_work::judgement::{Judgement, Verb, first_status, judge_simulation};
-use dolmen_work::simulation::{SimulateAnswer, Simulation};
-use dolmen_work::{FlagVerb, SimulateOptions, WorkError, other_solutions, prepare, settle};
+use dolmen_work::judgement::{Verb, first_status, judge_simulation};
+use dolmen_work::simulation::Simulation;
+use dolmen_work::{FlagVerb, WorkError, prepare, settle, simulate_solutions};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     let found = manner.open(&options.project)?;
@@ -48,23 +48,29 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             manner.style(),
         ))?;
     }
-    let mut answer = prepared.run(&Terminal::new(manner.quiet))?;
-    let solutions = Solutions::of(&found, &how, &mut answer, manner)?;
+    let terminal = Terminal::new(manner.quiet);
+    let first = prepared.run(&terminal)?;
+    let solved = simulate_solutions(&found.opened, &how, first, &found.files, &terminal)?;
+    let (answer, others) = (&solved.worst, &solved.others);
     if manner.json {
-        let mut value = simulate_answer_value(&answer);
-        if !solutions.others.is_empty() {
-            value["other_solutions"] = solutions.others.iter().map(simulate_answer_value).collect();
+        let mut value = simulate_answer_value(answer);
+        if !others.is_empty() {
+            value["other_solutions"] = others.iter().map(simulate_answer_value).collect();
         }
         say_json(&value)?;
     } else {
         if answer.does_not_stand.is_none() {
             say(&simulation_headline_text(
-                &judge_simulation(&answer),
+                &judge_simulation(answer),
                 manner.style(),
             ))?;
         }
-        say(&solutions.text(manner))?;
-        say(&after_first_text(&answer, manner.style()))?;
+        say(&solution_headlines_text(
+            &solved.judged,
+            solved.differs_from_check,
+            manner.style(),
+        ))?;
+        say(&after_first_text(answer, manner.style()))?;
         for simulation in &answer.simulations {
             say(&text_of(simulation, manner.style()))?;
         }
@@ -77,7 +83,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let language = manner.language();
         let outputs = keeping_motion(Outputs::of(manner.access(), &found), &options.motion.motion_file);
         for simulation in &answer.simulations {
-            outputs.folder(folder, &simulation_files(simulation, &answer, language)?)?;
+            outputs.folder(folder, &simulation_files(simulation, answer, language)?)?;
         }
         if !manner.quiet {
             let folder = folder.display().to_string();
@@ -90,7 +96,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             note!("{}", written.text(manner));
         }
     }
-    let all = [&answer].into_iter().chain(&solutions.others);
+    let all = [answer].into_iter().chain(others);
     let statuses = all.map(|answer| judge_simulation(answer).exit_status(Verb::Simulate));
     Ok(Outcome::Judged(first_status(statuses)))
 }
@@ -110,70 +116,6 @@ pub(crate) fn settled(found: &Found, manner: &Manner) -> Result<Outcome> {
         }
     }
     Ok(Outcome::Judged(judged.exit_status(Verb::Check)))
-}
-
-/// The other solutions of a stiffness that surveys do not determine, under the same motion.
-#[derive(Default)]
-struct Solutions {
-    others: Vec<SimulateAnswer>,
-    /// Number and judgement of every solution.
-    judged: Vec<(usize, Judgement)>,
-    /// The decisive one, if it differs from the worst of a check.
-    worst: Option<usize>,
-}
-
-impl Solutions {
-    /// Runs them, and replaces `answer` by the worst; does nothing for a variant.
-    fn of(
-        found: &Found,
-        how: &SimulateOptions,
-        answer: &mut SimulateAnswer,
-        manner: &Manner,
-    ) -> Result<Self> {
-        let project = &*found.opened.project;
-        let Some(told) = project.from_surveys.as_ref().filter(|told| told.of > 1) else {
-            return Ok(Solutions::default());
-        };
-        if how.variant.is_some() {
-            return Ok(Solutions::default());
-        }
-        let mut all = vec![(told.number, answer.clone())];
-        for (number, name) in other_solutions(project) {
-            let how = SimulateOptions {
-                variant: Some(name.to_owned()),
-                ..how.clone()
-            };
-            let run = prepare(&found.opened, &how, &found.files)?.run(&Terminal::new(manner.quiet))?;
-            all.push((number, run));
-        }
-        let rank = |of: &SimulateAnswer| {
-            let judgement = judge_simulation(of);
-            let headline = judgement.headline();
-            let words = headline.map(|of| (of.weight.map(|word| word.colour()), of.earthquake_word()));
-            (judgement.colour(), words)
-        };
-        // among equals, the worst of a check
-        let worst = (0..all.len())
-            .rev()
-            .max_by_key(|&at| rank(&all[at].1))
-            .unwrap_or(0);
-        let mut judged: Vec<_> = all
-            .iter()
-            .map(|(number, of)| (*number, judge_simulation(of)))
-            .collect();
-        judged.sort_by_key(|(number, _)| *number);
-        let number = all[worst].0;
-        *answer = all.remove(worst).1;
-        Ok(Solutions {
-            others: all.into_iter().map(|(_, of)| of).collect(),
-            judged,
-            worst: (number != told.number).then_some(number),
-        })
-    }
-
-    fn text(&self, manner: &Manner) -> String {
-        solution_headlines_text(&self.judged, self.worst, manner.style())
-    }
 }
 
 /// Refuses flags of a building without effect in the wind, or without it.

@@ -395,7 +395,7 @@ fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
     let said = Sentence::from(word(of));
     Some(
         match (&of.motion, &judged.demand_source) {
-            (Some(_), _) if judged.after.is_some() => {
+            (Some(of), _) if judged.after.as_ref().is_some_and(|both| *of != both.first) => {
                 let both = judged.after.clone();
                 let (first, motion) = both.map(|both| (both.first, both.second)).unwrap_or_default();
                 Headline::AfterMotion { motion, first, said }

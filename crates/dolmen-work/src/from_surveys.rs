@@ -103,7 +103,7 @@ fn is_solution(variant: &Variant) -> bool {
 }
 
 /// The variants for other solutions, by their numbers.
-pub fn other_solutions(project: &Project) -> Vec<(usize, &str)> {
+pub(crate) fn other_solutions(project: &Project) -> Vec<(usize, &str)> {
     let each = project.variants.iter().filter(|variant| is_solution(variant));
     let numbered = each.filter_map(|variant| {
         let told = variant.project.from_surveys.as_ref()?;

@@ -173,6 +173,30 @@ fn holds_a_tilt_that_a_run_leaves_out_is_in_its_headline() {
 }
 
 #[test]
+fn holds_a_tilt_that_a_wall_leaves_out_takes_its_part_of_the_capacity() {
+    // 0.3 × 2 m moves at 0.15 g plumb, and at 0.15 - 1/15 with its lean; the same wall as two long stones leans in the model
+    let wall = |tilt: &str| {
+        format!(
+            "{HEAD}{JOINT}wall = {{ length = 1.4, thickness = 0.3, courses = 4, course_height = 0.5, stone_length = 0.7 }}\n\
+             wind = {{ speed = 25, means = \"gust\", force_coefficient = 1.3 }}\n\
+             site = {{ code = \"table\", periods_s = [0, 0.05, 0.06, 4], accelerations = [0.1, 0.1, 0.1, 0.02], unit = \"g\" }}\n\
+             [survey.\"2024-05-01\"]\ntilt = {{ y = \"{tilt}\" }}\n"
+        )
+    };
+    let (status, plumb) = said("tilt-of-capacity-1", &wall("1/400"), "check project.toml");
+    assert!(
+        status == 0 && plumb.contains("loads: stable") && plumb.contains("above demand"),
+        "{plumb}"
+    );
+    let (_, leaning) = said("tilt-of-capacity-2", &wall("1/15"), "check project.toml");
+    assert!(
+        leaning.contains("loads: unknown") && leaning.contains("not decided"),
+        "{leaning}"
+    );
+    assert!(leaning.contains("not in it: tilt y 1/15"), "{leaning}");
+}
+
+#[test]
 fn holds_an_arch_held_by_bond_or_by_static_friction_alone_says_so() {
     let arch = |joint: &str| {
         format!(

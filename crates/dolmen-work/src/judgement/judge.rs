@@ -15,7 +15,7 @@ use crate::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::frame::FrameBeside;
 use crate::inventory::InventoryLine;
 use crate::lowest_of_records::lowest_of_records;
-use crate::simulation::{SimulateAnswer, Simulation};
+use crate::simulation::{AfterFirst, SimulateAnswer, Simulation};
 use crate::stack::StackSimulation;
 use crate::survey_doubts::survey_doubts;
 use crate::watched::WatchAnswer;
@@ -143,6 +143,7 @@ impl Judgement {
             is_done,
         } = of_simulation(run);
         let is_as_it_is = run.variant().is_none();
+        found.extend(worse_after_first(of, &found));
         // the results of a check of the same structure are used as well
         let checked = self.versions.iter().find(|version| version.variant.is_none());
         let checked = checked.map(|version| version.evidence.clone());
@@ -319,6 +320,18 @@ fn after_motion(of: &SimulateAnswer) -> Option<AfterMotion> {
         first: after.first_motion.clone(),
         second: after.second_motion.clone(),
     })
+}
+
+/// What the first of two motions did alone, if it is worse: joints that the second closes were open.
+fn worse_after_first(of: &SimulateAnswer, found: &[EarthquakeFinding]) -> Vec<EarthquakeFinding> {
+    let began = |of: &&AfterFirst| of.second.began_at_rest().is_some();
+    let first = of.after.as_deref().filter(began);
+    let runs = first.iter().flat_map(|of| &of.first.simulations);
+    let alone: Vec<_> = runs.flat_map(|run| of_simulation(run).findings).collect();
+    match Earthquake::worst(&alone) > Earthquake::worst(found) {
+        true => alone,
+        false => Vec::new(),
+    }
 }
 
 /// The versions of a check, each with its weight and its demand.

@@ -63,7 +63,13 @@ pub(super) fn of_stack_runs(runs: &StackRuns) -> RunFindings {
         .repeats
         .as_ref()
         .and_then(|repeats| of_repeats(repeats, motion));
-    found.extend(worst.filter(|worst| worst.word > Earthquake::worst(&found)));
+    let is_worse = runs
+        .repeats
+        .as_ref()
+        .is_some_and(|repeats| repeats.worst_state() > Some(runs.deciding.damage.state));
+    if let Some(worst) = worst.filter(|worst| worst.word >= Earthquake::worst(&found) && is_worse) {
+        found.insert(0, worst);
+    }
     if runs.deciding.stack.is_pressed() {
         found = found.into_iter().map(EarthquakeFinding::held_by_loads).collect();
     }

@@ -5,12 +5,12 @@ use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_site};
 use super::evidence::Evidence;
 use super::said::{MovedSaid, text};
-use super::tilt_limit::drift_left;
+use super::tilt_limit::{drift_left, last_tilt};
 use super::weight::Weight;
 use super::wind::{MovedBy, WindFinding, WindWord, of_wind};
-use crate::loads::Governing;
+use crate::loads::{Combined, Governing};
 use crate::simulation::Simulation;
-use crate::state::{Check, State};
+use crate::state::{Check, StackAnswer, State};
 use crate::tilt_left_out::TiltLeftOut;
 use dolmen::stability::Verdict;
 use dolmen_project::{ChainLean, FrameLean, ModelDamage, Project, Structure, SurveyedLean};
@@ -276,9 +276,19 @@ pub(super) fn version(
         Check::Building(_) => None,
     };
     version.tilt_left_out = TiltLeftOut::of_model(project);
-    if let Some(left) = drift_left(project) {
+    let left = match &state.check {
+        Check::Stack(answer) => version
+            .tilt_left_out
+            .as_ref()
+            .and_then(|_| tilt_left(project, answer)),
+        _ => drift_left(project),
+    };
+    if let Some(left) = left {
         let plumb = version.earthquake.into_iter();
         version.earthquake = plumb.map(|found| found.with_drift_left(left)).collect();
+        if matches!(state.check, Check::Stack(_)) && weight_leaning(state, left) != Verdict::Stable {
+            version.weight = version.weight.map(|plumb| plumb.if_it_stood_plumb());
+        }
     }
     if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
         let of_before = version.earthquake.into_iter();
@@ -288,6 +298,28 @@ pub(super) fn version(
     version.basis = Basis::of_checked(project, variant, state);
     version.damage.clone_from(&project.damage);
     version
+}
+
+/// The share of the capacity of stones that start plumb in the model which their measured tilt leaves: beds that turn by φ lower the acceleration
+/// a of first motion to a − φ. `None` without a tilt or a capacity.
+fn tilt_left(project: &Project, answer: &StackAnswer) -> Option<f64> {
+    let (_, tilt) = last_tilt(project)?;
+    let capacity = answer.check.capacity?;
+    Some(1.0 - tilt / capacity.acceleration_g)
+}
+
+/// The verdict on static loads and wind on a stack with a share of its capacity.
+fn weight_leaning(state: &State, left: f64) -> Verdict {
+    let combinations = state.loads.iter().flat_map(|loads| &loads.combinations);
+    let factors = combinations.filter_map(|combination| match &combination.of {
+        Combined::Stack(found) => Some(found.found.factor),
+        _ => None,
+    });
+    let least = factors.fold(f64::INFINITY, f64::min);
+    match left > 0.0 {
+        true if least == f64::INFINITY => Verdict::Stable,
+        _ => Verdict::of_load_factor(least.min(f64::MAX) * left),
+    }
 }
 
 /// The frequency whose resonance is missing from the wind that makes the word for weight unknown; `None` for another word or reason.

@@ -112,6 +112,16 @@ impl Weight {
         }
     }
 
+    /// The word for a model that starts plumb although its structure leans, and would not be stable with its lean: stable is unknown then.
+    pub(super) fn if_it_stood_plumb(self) -> Weight {
+        match self {
+            Weight::Stable => Weight::Unknown {
+                load_factor_if_right: None,
+            },
+            other => other,
+        }
+    }
+
     /// Its colour.
     pub fn colour(self) -> Colour {
         match self {

@@ -108,6 +108,11 @@ impl Repeats {
         Some(Spread { least, median, most })
     }
 
+    /// The worst state of damage of the runs.
+    pub fn worst_state(&self) -> Option<DamageState> {
+        self.states().last().map(|(state, _)| *state)
+    }
+
     /// The states of damage of the runs, mildest first, with the number of runs of each.
     pub fn states(&self) -> Vec<(DamageState, usize)> {
         let mut states: Vec<DamageState> = self.runs.iter().map(|run| run.state).collect();

@@ -8,8 +8,8 @@ use super::AssessError;
 use super::loads_on_soil::factor_on_soil;
 use crate::stability::Verdict;
 use crate::stability::stack::{
-    BlownBlock, LoadFactor, ROUNDS, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
-    without_sliding_friction,
+    BlownBlock, LoadFactor, ROUNDS, StackLoads, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
+    side_contacts, without_friction, without_sliding_friction,
 };
 use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
@@ -114,29 +114,37 @@ pub fn stack_under_loads(
     Ok(least)
 }
 
-/// The smaller factor of those with and without friction in upright joints that slide.
+/// The smaller factor of those with and without friction in upright joints that slide, or that only touch.
 fn least_of_frictions(
     stack: &Stack,
     combination: &StackCombination<'_>,
 ) -> Result<StackUnderLoads, AssessError> {
     let mut least = with_associated_friction(stack, combination)?;
     let all_friction = least.found.factor;
-    let mut smoother = without_sliding_friction(stack, least.found.mechanism.as_ref());
-    for _ in 0..ROUNDS {
-        let Some(next) = smoother.filter(|_| all_friction > 0.0) else {
-            break;
-        };
-        let lesser = with_associated_friction(&next, combination)?;
-        smoother = without_sliding_friction(&next, lesser.found.mechanism.as_ref());
-        // a stack that needs that friction to stand only has an upper bound
-        if lesser.found.factor <= 0.0 {
-            break;
-        }
-        if lesser.found.factor < (1.0 - WORSE) * least.found.factor {
-            least = StackUnderLoads {
-                dilating_factor: Some(all_friction),
-                ..lesser
+    if all_friction <= 0.0 {
+        return Ok(least);
+    }
+    let touching = side_contacts(&stack.clone().without_static_loads(), &StackLoads::default())?;
+    let without_touching = (!touching.is_empty()).then(|| without_friction(stack, &touching));
+    let sliding = without_sliding_friction(stack, least.found.mechanism.as_ref());
+    for start in [without_touching, sliding] {
+        let mut smoother = start;
+        for _ in 0..ROUNDS {
+            let Some(next) = smoother else {
+                break;
             };
+            let lesser = with_associated_friction(&next, combination)?;
+            smoother = without_sliding_friction(&next, lesser.found.mechanism.as_ref());
+            // a stack that needs that friction to stand only has an upper bound
+            if lesser.found.factor <= 0.0 {
+                break;
+            }
+            if lesser.found.factor < (1.0 - WORSE) * least.found.factor {
+                least = StackUnderLoads {
+                    dilating_factor: Some(all_friction),
+                    ..lesser
+                };
+            }
         }
     }
     Ok(least)

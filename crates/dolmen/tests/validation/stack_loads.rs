@@ -264,6 +264,30 @@ fn holds_150_random_towers_bear_what_moments_about_edges_say() {
 }
 
 #[test]
+fn exact_leaves_bear_no_more_wind_beside_a_pillar() {
+    // three leaves of 0.2 × 3 m rotate about their own toes without friction between them: three times w b/2 against p h · h/2, and a pillar that
+    // touches nothing, which bears more than the leaves and less than they would with all their friction
+    let leaf = |x: f64| ([0.2, 1.0, 3.0], [x, 0.0, 0.0]);
+    let leaves = [0.0, 0.2, 0.4].map(leaf);
+    let bears = |all: &[([f64; 3], [f64; 3])]| {
+        let stack = boxes(all, 0.8);
+        bears(&stack, &surfaces(&stack, 1.0), &uniform(400.0))
+            .found
+            .factor
+    };
+    let weight = DENSITY_KG_M3 * GRAVITY_M_S2 * 0.2 * 3.0;
+    let exact = 3.0 * weight * 0.2 / (400.0 * 9.0);
+    near(bears(&leaves), exact, 1e-6);
+    let pillar = ([0.41, 0.41, 3.0], [9.0, 0.0, 0.0]);
+    let alone = DENSITY_KG_M3 * GRAVITY_M_S2 * 0.41 * 0.41 / (400.0 * 3.0);
+    near(bears(&[pillar]), alone, 1e-6);
+    assert!(alone > 1.2 * exact && alone < 1.8 * exact, "{alone} {exact}");
+    let mut all = leaves.to_vec();
+    all.push(pillar);
+    near(bears(&all), exact, 1e-6);
+}
+
+#[test]
 fn holds_what_presses_downwards_never_makes_a_wall_bear_more_wind() {
     // 6 kN of snow on the wall, which may be absent in the wind: λ = W b/2 / M; with snow (W + R) b/2 / M, or more if the snow increases with the
     // wind. That holds for a wall that bears the wind (λ = 2.66), and for one that does not (0.53; 0.61 if the snow increases too).

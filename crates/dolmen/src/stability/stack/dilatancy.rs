@@ -8,7 +8,7 @@ use super::limit_analysis::limit_analysis;
 use super::limit_options::{LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
 use super::mechanism::Mechanism;
 use super::undilated_beds::without_dilation;
-use super::upright_slip::without_sliding_friction;
+use super::upright_slip::{side_contacts, without_friction, without_sliding_friction};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -74,25 +74,33 @@ pub(crate) fn without_upright_friction(
         is_upper_bound: false,
     };
     let mut governing = stack.clone();
-    let mut smoother = without_sliding_friction(stack, found.analysis.mechanism.as_ref());
-    for _ in 0..ROUNDS {
-        let Some(next) = smoother.filter(|_| all_friction_g.is_some()) else {
-            break;
-        };
-        let mut lesser = limit_analysis(&next, options)?;
-        lesser.frictionless = frictionless(stack, &next);
-        smoother = without_sliding_friction(&next, lesser.mechanism.as_ref());
-        match (limit_g(&lesser), limit_g(&found.analysis)) {
-            (Some(less), Some(more)) if less < more => {
-                found.analysis = lesser;
-                found.dilating_g = all_friction_g;
-                governing = next;
-            }
-            (None, _) => {
-                found.is_upper_bound |= lesser.status == LimitAnalysisStatus::DoesNotStand;
+    let Some(all_friction_g) = all_friction_g else {
+        return Ok((found, governing));
+    };
+    let touching = side_contacts(stack, &options.loads)?;
+    let without_touching = (!touching.is_empty()).then(|| without_friction(stack, &touching));
+    let sliding = without_sliding_friction(stack, found.analysis.mechanism.as_ref());
+    for start in [without_touching, sliding] {
+        let mut smoother = start;
+        for _ in 0..ROUNDS {
+            let Some(next) = smoother else {
                 break;
+            };
+            let mut lesser = limit_analysis(&next, options)?;
+            lesser.frictionless = frictionless(stack, &next);
+            smoother = without_sliding_friction(&next, lesser.mechanism.as_ref());
+            match (limit_g(&lesser), limit_g(&found.analysis)) {
+                (Some(less), Some(more)) if less < more => {
+                    found.analysis = lesser;
+                    found.dilating_g = Some(all_friction_g);
+                    governing = next;
+                }
+                (None, _) => {
+                    found.is_upper_bound |= lesser.status == LimitAnalysisStatus::DoesNotStand;
+                    break;
+                }
+                _ => {}
             }
-            _ => {}
         }
     }
     Ok((found, governing))
@@ -163,6 +171,23 @@ mod tests {
             assert!((least - 0.2 / 3.0).abs() < 1e-7, "{courses}: {least}");
             assert!(found.dilating_g.unwrap() > 0.08, "{:?}", found.dilating_g);
         }
+        // beside a pillar that touches nothing, and that moves later than the leaves with all their friction, and earlier than they do
+        let [mut blocks, pillar] = [leaves(4, 1), leaves(1, 1)].map(|of| of.blocks().to_vec());
+        blocks.push(Block {
+            name: "pillar".into(),
+            solid: Solid::cuboid(0.3, 0.3, 3.0).unwrap().placed(&Placement {
+                position_m: [9.0, 0.0, 0.0],
+                ..Placement::default()
+            }),
+            ..pillar[0].clone()
+        });
+        let both = Stack::new(blocks, JointMaterial::with_friction(0.8), 9.80665).unwrap();
+        let found = limit_analysis_undilated(&both, &options).unwrap();
+        assert!(
+            (limit_g(&found.analysis).unwrap() - 0.2 / 3.0).abs() < 1e-7,
+            "{found:?}"
+        );
+        assert!((found.dilating_g.unwrap() - 0.1).abs() < 1e-7, "{found:?}");
         let one = limit_analysis_undilated(&leaves(1, 1), &options).unwrap();
         assert_eq!((one.dilating_g, one.is_upper_bound), (None, false));
         assert!((limit_g(&one.analysis).unwrap() - 0.2 / 3.0).abs() < 1e-8);

@@ -72,6 +72,16 @@ pub(crate) fn stands_by_limit_analysis(
     loads: &StackLoads,
     direction: [f64; 2],
 ) -> Result<bool, StabilityError> {
+    Ok(falling_blocks(stack, loads, direction, true)?.is_empty())
+}
+
+/// The blocks of all pieces for which that is not certain, or of the first such piece.
+pub(super) fn falling_blocks(
+    stack: &Stack,
+    loads: &StackLoads,
+    direction: [f64; 2],
+    is_first_enough: bool,
+) -> Result<Vec<usize>, StabilityError> {
     let way = unit(direction)?;
     let loads = loads.on_blocks(stack)?;
     let problem = LimitProblem {
@@ -82,12 +92,16 @@ pub(crate) fn stands_by_limit_analysis(
         is_coarse: false,
     };
     let acts = acts(&problem, Holding::FrictionOnly);
+    let mut falling = Vec::new();
     for piece in &pieces(stack, &loads, &acts, GrowingLoad::Shaking, false) {
         if !stands_along(piece, way)? {
-            return Ok(false);
+            falling.extend(piece.blocks());
+            if is_first_enough {
+                break;
+            }
         }
     }
-    Ok(true)
+    Ok(falling)
 }
 
 pub(super) fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {

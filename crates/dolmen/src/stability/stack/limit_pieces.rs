@@ -126,6 +126,11 @@ impl Piece {
         self.at_rest.len()
     }
 
+    /// Its blocks.
+    pub(super) fn blocks(&self) -> impl Iterator<Item = usize> {
+        self.moves.iter().flat_map(|moves| moves.blocks.iter().copied())
+    }
+
     /// Loads at rest, six for each balance.
     pub(super) fn at_rest(&self) -> &[f64] {
         &self.at_rest

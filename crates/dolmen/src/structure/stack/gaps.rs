@@ -83,7 +83,8 @@ impl Stack {
         self
     }
 
-    fn without_joints(&self, left_out: &[usize]) -> Stack {
+    /// The stack without some of its joints.
+    pub(crate) fn without_joints(&self, left_out: &[usize]) -> Stack {
         let mut without = self.clone();
         let kept = self.joints().iter().enumerate();
         without.joints = kept
