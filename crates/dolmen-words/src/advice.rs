@@ -203,6 +203,7 @@ impl Advice for Note {
             Self::ClockDrift { .. } => says(Advised::GiveRates),
             Self::LateClocks { .. } | Self::EitherLate { .. } => says(Advised::AddDelays),
             Self::InSpells { .. }
+            | Self::Comb { .. }
             | Self::Clipping { .. }
             | Self::Narrow { .. }
             | Self::Wandering { removed: true, .. } => says(Advised::Accept),

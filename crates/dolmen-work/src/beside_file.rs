@@ -21,6 +21,28 @@ pub struct BesideFile {
     pub is_assumed: bool,
 }
 
+impl BesideFile {
+    /// Index of the spring with the largest relative difference, among those that differ beyond scatter.
+    pub fn farthest(&self) -> Option<usize> {
+        let deviations = |at: usize| self.deviations.as_ref().map(|all| all[at]);
+        let apart = |at: &usize| self.ratios[*at].ln().abs();
+        let all = (0..self.ratios.len()).filter(|&at| is_off(self.ratios[at], deviations(at)));
+        all.max_by(|a, b| apart(a).total_cmp(&apart(b)))
+    }
+}
+
+/// Whether a spring differs beyond scatter.
+fn is_off(ratio: f64, deviations: Option<f64>) -> bool {
+    let is_beyond = |most: f64| {
+        let apart = ratio.ln().abs();
+        apart > most.ln() || apart.is_nan()
+    };
+    match deviations {
+        Some(sd) => is_beyond(RATIO_LEAST) && sd > DEVIATIONS_MOST,
+        None => is_beyond(RATIO_ALONE),
+    }
+}
+
 /// A stiffness and its standard deviation, 0 if unknown.
 #[derive(Clone, Copy)]
 pub(crate) struct KnownStiffness {
@@ -44,18 +66,11 @@ pub(crate) fn beside(
         (a.sd > 0.0).then(|| (a.value - b.value).abs() / sd)
     };
     let deviations: Option<Vec<f64>> = both().map(deviation).collect();
-    let is_beyond = |ratio: f64, most: f64| {
-        let apart = ratio.ln().abs();
-        apart > most.ln() || apart.is_nan()
+    let is_off = |(at, ratio): (usize, &f64)| {
+        let deviations = deviations.as_ref().map(|all| all[at]);
+        is_off(*ratio, deviations)
     };
-    let differs = match &deviations {
-        Some(all) => {
-            let each = ratios.iter().zip(all);
-            each.into_iter()
-                .any(|(ratio, sd)| is_beyond(*ratio, RATIO_LEAST) && *sd > DEVIATIONS_MOST)
-        }
-        None => ratios.iter().any(|ratio| is_beyond(*ratio, RATIO_ALONE)),
-    };
+    let differs = ratios.iter().enumerate().any(is_off);
     Some(BesideFile {
         ratios,
         deviations,
@@ -85,6 +100,13 @@ mod tests {
         assert!(!rough.differs, "{rough:?}");
         let near = beside(&all(&[30.9], 0.1), &all(&[30.0], 0.0), false).unwrap();
         assert!(!near.differs, "3 % are no news: {near:?}");
+        // of a spring 2 % off by ten deviations, one 10 % off by six and one 30 % off by two, the second differs most
+        let far = beside(
+            &[(30.6, 0.06), (33.0, 0.5), (39.0, 4.5)].map(|(value, sd)| KnownStiffness { value, sd }),
+            &all(&[30.0; 3], 0.0),
+            false,
+        );
+        assert_eq!(far.unwrap().farthest(), Some(1));
         assert!(
             beside(&all(&[40.0], 0.0), &all(&[30.0], 0.0), false)
                 .unwrap()

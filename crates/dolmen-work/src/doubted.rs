@@ -2,12 +2,14 @@
 
 use crate::kinds;
 use crate::surveyed::{StiffnessDoubt, SurveyAnswer, SurveyColumns};
-use dolmen::modal::Modes;
+use dolmen::modal::{Modes, Note};
 use dolmen::structure::{ColumnsTogether, columns_together};
 use dolmen_project::{Project, Structure, Survey};
 
 /// Directions for which records give stiffness, in the order of the axes.
 const AXES: [&str; 2] = ["x", "y"];
+/// Relative difference of frequencies of one mode: those of joined setups differ a little from those of each. Our choice.
+const SAME_MODE: f64 = 0.005;
 
 /// Marks as doubtful the stiffness from records, in directions for which the survey states no modes.
 pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswer) {
@@ -20,6 +22,7 @@ pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswe
         .iter()
         .chain(setups)
         .any(|record| !record.doubts.is_empty());
+    let on_machines_hz = on_machines_hz(answer);
     let explains = doubt.as_ref().is_some_and(|doubt| !doubt.changes.is_empty());
     for stiffness in &mut answer.stiffness {
         let is_stated = survey.modes.contains_key(&stiffness.direction);
@@ -32,10 +35,28 @@ pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswe
             Some(doubt) if doubt.is_of(axis) => Some(StiffnessDoubt::Shapes {
                 unexplained: doubt.unexplained_along[axis],
             }),
-            _ => stiffness.doubted,
+            _ => stiffness.doubted.or_else(|| {
+                let mut used = stiffness.frequencies_hz.iter();
+                let is_on = |hz: &&f64| on_machines_hz.iter().any(|on| (*hz / on - 1.0).abs() < SAME_MODE);
+                used.find(is_on)
+                    .map(|hz| StiffnessDoubt::Machine { mode_hz: *hz })
+            }),
         };
     }
     answer.shape_doubt = doubt;
+}
+
+/// Frequencies of modes at which machines run, Hz: their sines move the frequency and take damping away.
+fn on_machines_hz(answer: &SurveyAnswer) -> Vec<f64> {
+    let setups = answer.setups.iter().flat_map(|setups| &setups.records);
+    let records = answer.records.iter().chain(setups);
+    let notes = records.flat_map(|record| &record.analysis.notes);
+    notes
+        .flat_map(|note| match note {
+            Note::TonesOnModes { tones } => tones.iter().map(|tone| tone.mode_hz).collect(),
+            _ => Vec::new(),
+        })
+        .collect()
 }
 
 /// Whether the columns of a frame move as one in the modes of a record; empty for other kinds, and without two sensors on a level.

@@ -21,10 +21,10 @@ use crate::surveyed::{
 };
 use crate::wrong::Place;
 use dolmen::modal::{
-    During, Identify, MergeSetups, Method, ModalAnalysis, Modes, Part, StrongMotion, doubt_sensors,
+    During, Identify, MergeSetups, Method, ModalAnalysis, Modes, Note, Part, StrongMotion, doubt_sensors,
     identify as modes_of, is_of_one_state, joint_setups, merge_setups, strong_motion,
 };
-use dolmen::signal::{Record, clipped_channels, cut};
+use dolmen::signal::{ChannelFault, Record, clipped_channels, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{
     Conditioning, EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey,
@@ -360,7 +360,7 @@ pub(crate) fn of_opened(
         .flatten();
     let Quiet {
         part,
-        analysis,
+        mut analysis,
         earthquake,
     } = quiet(
         source,
@@ -371,6 +371,11 @@ pub(crate) fn of_opened(
             is_whole: opened.losses.lost_s.is_empty(),
         },
     )?;
+    if earthquake.as_ref().is_some_and(Earthquake::is_shaken) {
+        // strong ground motion resembles a loose contact: the faults of the quiet parts count
+        let is_spike = |note: &Note| matches!(note, Note::Channel(ChannelFault::Spikes { .. }));
+        analysis.notes.retain(|note| !is_spike(note));
+    }
     let read_s = opened.samples as f64 / opened.sampling_rate_hz;
     let is_one_file = source.stations.is_empty();
     let seen = RecordSeen::of(&opened.record, read_s, (&analysis, asked), is_one_file)?;

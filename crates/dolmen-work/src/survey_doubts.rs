@@ -1,6 +1,6 @@
 //! Evidence against the model from the modes of surveys and the stiffness sought from them.
 
-use crate::judgement::{PairedMode, SurveyDoubts, Unexplained, contradict};
+use crate::judgement::{OtherStiffness, PairedMode, SurveyDoubts, Unexplained, contradict};
 use crate::model_modes::{SAME_FROM, WhichMode};
 use crate::stack::FactorsAnswer;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
@@ -33,6 +33,7 @@ fn of_survey(project: &Project, answer: &SurveyAnswer) -> SurveyDoubts {
         survey: answer.name.clone(),
         modes,
         unexplained: unexplained(project, answer),
+        stiffness: other_stiffness(answer),
     }
 }
 
@@ -124,6 +125,27 @@ fn unexplained(project: &Project, answer: &SurveyAnswer) -> Option<Unexplained> 
                 deviations: Some(factors.misfit()?),
             })
         })
+}
+
+/// The stiffness that differs most from the file, by the same rule as the finding on it; a difference from an assumed value is no doubt.
+fn other_stiffness(answer: &SurveyAnswer) -> Option<OtherStiffness> {
+    let along = answer.stiffness.iter().filter_map(|of| {
+        let beside = of.beside_file.as_ref()?;
+        Some((Some(&of.direction), beside))
+    });
+    let plan = answer.plan.as_ref().and_then(|plan| plan.beside_file.as_ref());
+    let all = along.chain(plan.map(|beside| (None, beside)));
+    let each = all.filter(|(_, beside)| !beside.is_assumed);
+    let each = each.filter_map(|(direction, beside)| {
+        let at = beside.farthest()?;
+        Some(OtherStiffness {
+            direction: direction.cloned(),
+            ratio: beside.ratios[at],
+            deviations: beside.deviations.as_ref().map(|all| all[at]),
+        })
+    });
+    let apart = |of: &OtherStiffness| of.ratio.ln().abs();
+    each.max_by(|a, b| apart(a).total_cmp(&apart(b)))
 }
 
 #[cfg(test)]

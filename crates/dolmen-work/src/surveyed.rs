@@ -416,6 +416,11 @@ pub enum StiffnessDoubt {
     },
     /// More modes move along the direction than the model has, and other choices among them give another stiffness.
     MoreModes,
+    /// A machine runs at the frequency of one of the modes.
+    Machine {
+        /// Frequency of the mode, Hz.
+        mode_hz: f64,
+    },
 }
 
 impl StiffnessAnswer {

@@ -196,6 +196,17 @@ pub enum RecordError {
         /// Expected time stamp, s.
         expected_s: f64,
     },
+    /// The time stamps scatter about even steps, but no sample is missing.
+    Jitter {
+        /// Line of the file.
+        line: usize,
+        /// Time stamp in this line, s.
+        stamp_s: f64,
+        /// Step from the previous time stamp, s.
+        step_s: f64,
+        /// Even step: that of the given rate, else that of the earlier time stamps, s.
+        even_step_s: f64,
+    },
     /// The second time stamp is not after the first.
     StampsStand {
         /// Line of the file.

@@ -10,6 +10,9 @@ use crate::number::Number;
 
 /// Largest clock error at a sample, as a fraction of a step. Our choice: the resulting error is far below the noise of a sensor.
 const CLOCK_JITTER: f64 = 0.01;
+/// Relative differences of a step from the even one between which a stamp scatters: a clock that runs faster differs by less, a missing sample or a
+/// clock that jumped by more. Our choice.
+const SCATTER: std::ops::Range<f64> = 0.02..0.3;
 /// Coarsest resolution of stamps, as a fraction of a step, that shows a missing sample; coarser stamps need equal steps. Our choice.
 const RESOLUTION_MOST: f64 = 0.25;
 /// Largest relative difference between a given rate and that of the stamps: an error of 1e-4 in every frequency, far below the scatter.
@@ -102,6 +105,15 @@ impl Stamps {
                     line,
                     stamp: stamp_s,
                     before: self.first_s,
+                });
+            }
+            let even_step_s = self.given_hz.map_or(self.step_s(), |hz| 1.0 / hz);
+            if SCATTER.contains(&(step_s / even_step_s - 1.0).abs()) {
+                return Err(RecordError::Jitter {
+                    line,
+                    stamp_s,
+                    step_s,
+                    even_step_s,
                 });
             }
             let expected_step_s = self.step_s();

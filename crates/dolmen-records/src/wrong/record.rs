@@ -105,6 +105,10 @@ sentences! {
             en: "the time stamps of column \"{column}\" lie {step} apart: as seconds that is no rate of a vibration; if they are milliseconds, give sampling_rate = \"{milliseconds_hz} Hz\" or name the column \"time [ms]\"; if they number the samples, leave time_column out and give sampling_rate",
             ko: "\"{column}\" 열의 시각 간격이 {step}이다. 초 단위라면 진동 기록의 간격이 아니다. 밀리초이면 sampling_rate = \"{milliseconds_hz} Hz\"로 하거나 열 이름을 \"time [ms]\"로 한다. 표본의 번호이면 time_column을 빼고 sampling_rate를 입력한다",
         },
+        Jitter { line, stamp_s, step_s, even_step_s } as { line, stamp_s, step_s: format!("{step_s:.6}"), even_step_s: format!("{even_step_s:.6}") } => {
+            en: "line {line}: the time stamp {stamp_s} s is {step_s} s after the one before, and even steps are {even_step_s} s: no sample is missing there, but the stamps scatter. If the recorder samples evenly and only its stamps scatter, delete the time column and give sampling_rate; else resample the record before",
+            ko: "{line}행의 시각 {stamp_s} s는 앞 시각보다 {step_s} s 뒤이고 일정한 간격은 {even_step_s} s이다. 빠진 자료는 없으나 시각이 고르지 않다. 기록계는 일정한 간격으로 기록하는데 시각만 흔들리면 시각 열을 삭제하고 sampling_rate를 준다. 그렇지 않으면 먼저 재표본화한다",
+        },
         Uneven { line, stamp_s, step_s, expected_step_s, expected_s } as { line, stamp_s, step_s: format!("{step_s:.6}"), expected_step_s: format!("{expected_step_s:.6}"), expected_s: format!("{expected_s:.6}") } => {
             en: "line {line}: the time stamp {stamp_s} s is {step_s} s after the one before, but even steps of {expected_step_s} s would put it at {expected_s} s: samples are missing or the clock jumped; cut the file there, or resample it before",
             ko: "{line}행의 시각 {stamp_s} s는 앞 시각보다 {step_s} s 뒤인데, 일정한 간격 {expected_step_s} s이면 {expected_s} s이어야 한다. 자료가 빠졌거나 시계가 튀었다. 거기서 파일을 자르거나 먼저 재표본화한다",

@@ -75,6 +75,29 @@ fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
     assert!(refusal(&text).contains("samples are missing or the clock jumped"));
 }
 
+#[test]
+fn refuses_stamps_that_scatter_and_says_that_no_sample_is_missing() {
+    // 100 Hz, stamps up to 0.8 ms off, as of a phone
+    let mut text = "t,x\n".to_string();
+    for i in 0..200 {
+        text += &format!(
+            "{:.4},{}\n",
+            0.01 * f64::from(i) + 0.0008 * f64::from(7 * i % 5 - 2) / 2.0,
+            i % 11
+        );
+    }
+    let given = RecordOptions {
+        sampling_rate_hz: Some(100.0),
+        ..Default::default()
+    };
+    let said = refusal_with(&text, &given);
+    assert!(
+        said.contains("even steps are 0.010000 s: no sample is missing there, but the stamps scatter"),
+        "{said}"
+    );
+    assert!(refusal(&text).contains("no sample is missing there"));
+}
+
 /// The used rows, their first sample, and the notes.
 fn kept(rows: impl Iterator<Item = usize>) -> (usize, f64, String) {
     let text = rows.fold("t,x\n".to_string(), |text, i| {

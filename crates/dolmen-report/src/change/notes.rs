@@ -34,12 +34,12 @@ messages! {
             ko: "{frequencies}에서는 두 조사에 모두 모드가 있으나 모드형상이 서로 달라, 사라진 모드와 새로운 모드로 처리하였다. 채널이 바뀌었거나 센서의 방향·위치가 달라지지 않았는지 확인이 필요하다.",
         },
         Swapped { first: String, second: String, modes: usize, assurance: Quantity, exchanged: Quantity } => {
-            en: "Channels \"{first}\" and \"{second}\" look swapped in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {exchanged} with the two exchanged; if they were, exchange their names in the project file and compare again.",
-            ko: "한 조사에서 채널 \"{first}\"와(과) \"{second}\"이(가) 서로 바뀐 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 둘을 바꾸면 {exchanged}이다. 바뀐 것이 맞으면 프로젝트 파일에서 두 이름을 바꾸고 다시 비교해야 한다.",
+            en: "Channels \"{first}\" and \"{second}\" look swapped in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {exchanged} with the two exchanged. The modes are compared as if they were; if so, exchange their names in the project file.",
+            ko: "한 조사에서 채널 \"{first}\"와(과) \"{second}\"이(가) 서로 바뀐 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 둘을 바꾸면 {exchanged}이다. 둘을 바꾸어 모드를 비교하였으며, 바뀐 것이 맞으면 프로젝트 파일에서 두 이름을 바꾼다.",
         },
         Turned { channel: String, modes: usize, assurance: Quantity, turned: Quantity } => {
-            en: "Channel \"{channel}\" looks turned round in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {turned} with its sign changed; if it was, turn its direction round in the project file and compare again.",
-            ko: "한 조사에서 채널 \"{channel}\"의 방향이 반대로 된 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 부호를 바꾸면 {turned}이다. 반대가 맞으면 프로젝트 파일에서 방향을 바꾸고 다시 비교해야 한다.",
+            en: "Channel \"{channel}\" looks turned round in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {turned} with its sign changed. The modes are compared with the sign changed; if it was, turn its direction round in the project file.",
+            ko: "한 조사에서 채널 \"{channel}\"의 방향이 반대로 된 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 부호를 바꾸면 {turned}이다. 부호를 바꾸어 모드를 비교하였으며, 반대가 맞으면 프로젝트 파일에서 방향을 바꾼다.",
         },
         DirectionsExchanged { modes: usize, likeness: Quantity, exchanged: Quantity } => {
             en: "PROBABLY A SLIP: directions x and y are exchanged in one of the surveys. Both have the same {modes} frequencies; their modes are alike (1 for the same) to {likeness} as they are, and to {exchanged} with x and y exchanged. Correct the directions of the channels, or of the modes, and compare again: what follows is no change of the structure.",

@@ -38,6 +38,10 @@ messages! {
             en: "not chosen, for {unexplained} of the shapes of these modes is not of the model. {said}",
             ko: "판정하지 않는다. 이 모드들의 형상 중 {unexplained}이(가) 모델과 맞지 않는다. {said}",
         },
+        OnMachine { mode: Quantity, said: Sentence } => {
+            en: "not chosen, for a machine runs at the frequency of the mode at {mode}, and moves its frequency and shape. {said} Measure while the machine rests.",
+            ko: "판정하지 않는다. {mode} 모드의 진동수에서 기계가 가동하여 그 진동수와 모드형상이 달라진다. {said} 기계가 멈춘 동안 다시 계측한다.",
+        },
         MoreModes { modes: usize, choices: Vec<Sentence> } => {
             en: "not chosen, for more modes move along this direction than the model has ({modes}), and which of them are its own decides k: {choices}. The others are torsion, or of something that the model lacks: measure again with a second sensor across the floor, or write the modes of this direction into the survey.",
             ko: "판정하지 않는다. 이 방향으로 움직이는 모드가 모델의 모드 수({modes}개)보다 많으며, 어느 것이 이 방향의 모드인가에 따라 강성 k가 달라진다: {choices}. 나머지는 비틀림 모드이거나 모델에 없는 것의 모드이다. 바닥 반대쪽에 센서를 하나 더 두어 다시 계측하거나 이 방향의 모드를 조사에 적는다.",
@@ -96,6 +100,10 @@ pub(super) fn not_chosen(answer: &StiffnessAnswer, doubt: StiffnessDoubt) -> Dou
             said,
         },
         StiffnessDoubt::MoreModes => more_modes(answer),
+        StiffnessDoubt::Machine { mode_hz } => Doubted::OnMachine {
+            mode: Quantity::new(mode_hz, Unit::si("Hz"), Digits::Fixed(3)),
+            said,
+        },
     }
 }
 

@@ -275,6 +275,7 @@ fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
                 let code = match doubt {
                     StiffnessDoubt::Sensors | StiffnessDoubt::Shapes { .. } => "sensor-slip",
                     StiffnessDoubt::MoreModes => "indistinguishable",
+                    StiffnessDoubt::Machine { .. } => "harmonics",
                 };
                 (Tone::Warn, doubted::not_chosen(answer, doubt).into(), Some(code))
             }

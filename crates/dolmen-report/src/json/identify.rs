@@ -347,6 +347,7 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
             StiffnessDoubt::Sensors => as_json!({ "of": "sensors", "unexplained": null }),
             StiffnessDoubt::Shapes { unexplained } => as_json!({ "of": "shapes", "unexplained": unexplained }),
             StiffnessDoubt::MoreModes => as_json!({ "of": "more_modes", "unexplained": null }),
+            StiffnessDoubt::Machine { .. } => as_json!({ "of": "machine", "unexplained": null }),
         }),
         "other_choices": answer.other_choices.iter().map(|of| as_json!({
             "frequencies_hz": of.frequencies_hz,

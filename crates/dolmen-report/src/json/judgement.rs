@@ -176,5 +176,10 @@ fn evidence(evidence: &Evidence) -> Value {
             "direction": of.direction,
             "deviations": of.deviations,
         })),
+        "stiffness_off": doubt.and_then(|of| of.stiffness.as_ref()).map(|of| as_json!({
+            "direction": of.direction,
+            "ratio": of.ratio,
+            "deviations": of.deviations,
+        })),
     })
 }

@@ -4,7 +4,7 @@ use super::tables::nth_of;
 use super::values::{fixed, percent, plain};
 use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
 use crate::figures::{response_coherence, response_magnitudes};
-use dolmen::modal::{Driven, DrivenMode, FrequencyResponses, ModalAnalysis, Mode};
+use dolmen::modal::{Driven, DrivenMode, FrequencyResponses, ModalAnalysis, Mode, OffGround};
 use dolmen_words::{Digits, Quantity, Unit, messages};
 
 messages! {
@@ -39,11 +39,56 @@ messages! {
         Modulus { channel: String, input: String } => { en: "|{channel} / {input}|", ko: "|{channel} / {input}| 크기" },
         Phase { channel: String, input: String } => { en: "phase of {channel} / {input}", ko: "{channel} / {input} 위상" },
         CoherenceOf { channel: String } => { en: "coherence of {channel}", ko: "{channel} 기여도 함수" },
+        Reversed { input: String, channels: Vec<String>, from: Quantity, to: Quantity, ratio: Quantity } => {
+            en: "PROBABLY A SLIP: far below the lowest mode, from {from} to {to}, a structure moves as its ground does, but {channels} move {ratio} times as {input}: is {input} turned round? Reverse its direction in the project file. Frequencies and damping ratios are right; H₁ and a simulation under this ground are not.",
+            ko: "입력 오류 의심: 최저차 모드보다 훨씬 낮은 {from}~{to}에서 구조물은 지반과 같이 움직이는데, {channels}의 운동은 {input}의 {ratio}배이다. {input} 센서의 방향이 반대인지 확인하고, 반대이면 프로젝트 파일의 방향을 바꾼다. 고유진동수와 감쇠비는 유효하나 H₁과 이 지반운동을 쓴 해석은 틀린다.",
+        },
+        Scaled { input: String, channels: Vec<String>, from: Quantity, to: Quantity, ratio: Quantity } => {
+            en: "PROBABLY A SLIP: far below the lowest mode, from {from} to {to}, a structure moves as its ground does, but {channels} move {ratio} times as {input}: are the unit and scale of {input} right? Frequencies and damping ratios are; H₁, the peak of the ground and a simulation under it are not.",
+            ko: "입력 오류 의심: 최저차 모드보다 훨씬 낮은 {from}~{to}에서 구조물은 지반과 같이 움직이는데, {channels}의 운동은 {input}의 {ratio}배이다. {input}의 단위와 배율(scale)을 확인한다. 고유진동수와 감쇠비는 유효하나 H₁, 지반의 최대값, 이 지반운동을 쓴 해석은 틀린다.",
+        },
+        OneOff { input: String, channel: String, from: Quantity, to: Quantity, ratio: Quantity } => {
+            en: "PROBABLY A SLIP: far below the lowest mode, from {from} to {to}, a structure moves as its ground does, but {channel} moves {ratio} times as {input}, and the others about once: check the direction, unit and scale of {channel}.",
+            ko: "입력 오류 의심: 최저차 모드보다 훨씬 낮은 {from}~{to}에서 구조물은 지반과 같이 움직이는데, {channel}의 운동은 {input}의 {ratio}배이고 다른 채널은 약 1배이다. {channel}의 방향, 단위, 배율(scale)을 확인한다.",
+        },
         Mode => { en: "Mode", ko: "모드" },
         Held => { en: "input given", ko: "입력 고려" },
         Together => { en: "without it", ko: "입력 미고려" },
         Ratio => { en: "given over without", ko: "고려/미고려 비" },
         Follows => { en: "follows the input", ko: "입력을 따르는 비율" },
+    }
+}
+
+/// Channels that do not move as their ground far below the lowest mode.
+pub(super) fn off_ground(of: &OffGround) -> Drivens {
+    let [from, to] = of
+        .range_hz
+        .map(|hz| Quantity::new(hz, Unit::si("Hz"), Digits::Significant(2)));
+    let (input, channels) = (of.input.clone(), of.channels.clone());
+    let ratio = Quantity::new(of.ratio, Unit::ratio(), Digits::Significant(3));
+    match of.channels.as_slice() {
+        [channel] if !of.is_input => Drivens::OneOff {
+            input,
+            channel: channel.clone(),
+            from,
+            to,
+            ratio,
+        },
+        // −1 within the gains of two sensors
+        _ if (-1.25..-0.8).contains(&of.ratio) => Drivens::Reversed {
+            input,
+            channels,
+            from,
+            to,
+            ratio,
+        },
+        _ => Drivens::Scaled {
+            input,
+            channels,
+            from,
+            to,
+            ratio,
+        },
     }
 }
 

@@ -1,5 +1,6 @@
 //! Findings on records and modes.
 
+use super::driven;
 use super::earthquake;
 use super::faults::fault_words;
 use super::notes::note_words;
@@ -414,6 +415,8 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
         .iter()
         .filter(|note| !has_felt(record, note));
     all.extend(still.filter_map(self::still));
+    let off = record.analysis.driven.iter().flat_map(|of| &of.off_ground);
+    all.extend(off.map(|of| Finding::key(Tone::Warn, driven::off_ground(of)).with_code("sensor-slip")));
     let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);
     all.extend(driven.filter_map(follows_little));
     let weighs = |note: &&Note| {
@@ -425,6 +428,8 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
                 | Note::QuarterTurn { .. }
                 | Note::EitherTurned { .. }
                 | Note::Wandering { removed: false, .. }
+                | Note::TonesOnModes { .. }
+                | Note::Comb { .. }
         )
     };
     let weighing = record.analysis.notes.iter().filter(weighs);

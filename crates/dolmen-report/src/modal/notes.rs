@@ -63,6 +63,10 @@ messages! {
             en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
             ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
         },
+        Comb { fundamental: Quantity, at: Values, first: Quantity } => {
+            en: "Left out, since they are steadier than modes and lie at multiples of one frequency, {fundamental}: {at}. Steps that never pause, a bell or an engine; a mode among them is hidden. Measure again without them. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
+            ko: "모드보다 세기가 일정하고 한 진동수 {fundamental}의 배수에 있어 모드에서 제외하였다: {at}. 쉬지 않는 발걸음, 종, 엔진의 진동이며, 그 사이의 모드는 가려진다. 이런 진동이 없을 때 다시 계측한다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+        },
         Clipping { modes: Vec<Sentence>, first: Quantity } => {
             en: "Left out, since the clipping of a channel makes them: {modes}. A clipped signal also contains sums and differences of the frequencies of the structure, and no other channel shows these. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
             ko: "채널의 포화가 만든 것이므로 모드에서 제외하였다: {modes}. 포화된 신호에는 구조물 진동수의 합과 차도 나타나며, 다른 채널에는 없다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
@@ -224,6 +228,14 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             modes: modes.iter().map(in_spells_words).collect(),
             first: first_of(modes.first().map(|of| of.frequency_hz)),
         },
+        Note::Comb {
+            fundamental_hz,
+            frequency_hz,
+        } => Notes::Comb {
+            fundamental: hertz(*fundamental_hz),
+            at: all_hertz(frequency_hz),
+            first: first_of(frequency_hz.first().copied()),
+        },
         Note::Clipping { modes } => Notes::Clipping {
             modes: modes.iter().map(from_clipping_words).collect(),
             first: first_of(modes.first().map(|of| of.frequency_hz)),
@@ -319,14 +331,25 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         },
         Note::ClockDrift {
             drifting: all,
+            others,
             turn_degrees,
             frequency_hz,
             sampling_rate_hz,
         } => {
-            let said = Clocks::Drift {
-                each: drifting(all, *sampling_rate_hz),
-                frequency: hertz(*frequency_hz),
-                turn: degrees(*turn_degrees),
+            let each = drifting(all, *sampling_rate_hz);
+            let (frequency, turn) = (hertz(*frequency_hz), degrees(*turn_degrees));
+            let said = match others.as_slice() {
+                [] => Clocks::Drift {
+                    each,
+                    frequency,
+                    turn,
+                },
+                others => Clocks::EitherDrift {
+                    each,
+                    others: others.to_vec(),
+                    frequency,
+                    turn,
+                },
             };
             return said.into();
         }

@@ -10,10 +10,10 @@ korean_of! {
         ModalError::Rank { given, rank } => "order_most가 {given}인데 상관행렬의 계수(rank)가 계산 정밀도로 {rank}이다. 기록에 잡음이 거의 없다. order_most를 {rank} 이하로 낮춘다";
         ModalError::Dependent { decimation } => "decimation이 {decimation}인데 기록에 잡음이 거의 없다. 과거 자료 하나가 나머지의 조합에 가까워 QR에 자료가 그대로 필요하다. decimation을 1로 하거나 block_rows를 낮추거나 ssi_cov를 쓴다";
         ModalError::ModesWanted { given, order_most, most } => "modes_wanted가 {given}인데 차수 {order_most}의 모델에는 모드가 {most}개까지 있다. order_most를 키우거나 개수를 줄인다";
-        ModalError::ModesMissing { given, found, found_hz } => "modes_wanted가 {given}인데 안정한 모드를 {found}개만 찾았다({found_hz:?} Hz). 더 오래 기록하거나, 빠진 모드가 움직이는 곳에 센서를 두거나, {found}개로 한다";
-        ModalError::NoModeAt { given_hz, within_hz, found_hz } => "{given_hz} Hz(± {within_hz} Hz)에서 모드를 찾지 못했다. 찾은 모드: {found_hz:?} Hz. 다른 모드로 대신하지 않는다";
-        ModalError::BlockRows { given, least, frequency_hz, sampling_rate_hz } => "block_rows가 {given}인데 찾는 가장 낮은 모드({frequency_hz} Hz)에는 초당 {sampling_rate_hz}개의 자료에서 {least} 이상이 필요하다. block_rows를 키우거나, 솎거나, frequency_low_hz를 높인다";
-        ModalError::TooShort { samples, lags, blocks, needed } => "기록의 자료가 {samples}개인데 시간 블록 {blocks}개에서 지연 {lags}개의 상관에는 {needed}개가 필요하다. 더 오래 기록하거나 block_rows나 time_blocks를 낮춘다";
+        ModalError::ModesMissing { given, found, found_hz } => "modes_wanted가 {given}인데 안정한 모드를 {found}개만 찾았다({found_hz} Hz). 더 오래 기록하거나, 빠진 모드가 움직이는 곳에 센서를 두거나, {found}개로 한다", found_hz = listed_hz(found_hz);
+        ModalError::NoModeAt { given_hz, within_hz, found_hz } => "{given_hz} Hz(± {within_hz} Hz)에서 모드를 찾지 못했다. 찾은 모드: {found_hz} Hz. 다른 모드로 대신하지 않는다", within_hz = format!("{within_hz:.3}"), found_hz = listed_hz(found_hz);
+        ModalError::BlockRows { given, least, frequency_hz, sampling_rate_hz } => "block_rows가 {given}인데 찾는 가장 낮은 모드({frequency_hz:.3} Hz)에는 초당 {sampling_rate_hz}개의 자료에서 {least} 이상이 필요하다. block_rows를 키우거나, 솎거나, frequency_low_hz를 높인다";
+        ModalError::TooShort { samples, lags, blocks, needed } => "기록의 자료가 {samples}개인데 시간 블록 {blocks}개에서 지연 {lags}개의 상관에는 {needed}개가 필요하다. 더 오래 기록하거나 block_rows를 낮춘다";
         ModalError::Option { option, given, allowed } => "{option}이(가) {given}인데 {allowed}이어야 한다", option = phrase(option), allowed = phrase(allowed);
         ModalError::NoPeak { prominence_db, low_hz, high_hz } => "{low_hz}~{high_hz} Hz의 스펙트럼에 주변보다 {prominence_db} dB 높은 피크가 없다. 기록에 잡음뿐일 수 있다. 당겼다 놓거나 타격한 뒤의 자유진동이면 method = \"era\"로 한다. 그 밖의 기록에서 그래도 찾으려면 block_rows와 진동수 범위를 입력한다";
         ModalError::AcceptedOfDecay { given_hz } => "자유감쇠(era)의 모드는 판정 기준으로 제외되지 않으므로 {given_hz} Hz를 채택할 수 없다. 뺀다";
@@ -39,6 +39,11 @@ korean_of! {
     handed on ModalError::Record(why) => why;
     handed on ModalError::Linalg(why) => why;
     handed on ModalError::Channel(why) => why;
+}
+
+fn listed_hz(frequencies_hz: &[f64]) -> String {
+    let all: Vec<String> = frequencies_hz.iter().map(|hz| format!("{hz:.3}")).collect();
+    all.join(", ")
 }
 
 fn listed_s(times_s: &[f64]) -> String {

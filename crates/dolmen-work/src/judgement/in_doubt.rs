@@ -1,4 +1,4 @@
-//! Doubts about a model whose lowest frequencies were measured: higher modes, and modes that no stiffness explains.
+//! Doubts about a model whose lowest frequencies were measured: higher modes, modes that no stiffness explains, and another stiffness.
 
 use super::measured_frequency::{RecordFrequency, apart, contradict};
 use super::said::{DoubtSaid, text};
@@ -23,6 +23,8 @@ pub(crate) struct SurveyDoubts {
     pub(crate) modes: Vec<PairedMode>,
     /// Modes that no stiffness explains.
     pub(crate) unexplained: Option<Unexplained>,
+    /// The identified stiffness that differs most from the file.
+    pub(crate) stiffness: Option<OtherStiffness>,
 }
 
 /// A mode of the model without a measured partner, below the highest paired mode.
@@ -64,7 +66,18 @@ pub struct Unexplained {
     pub deviations: Option<f64>,
 }
 
-/// Reasons for doubt about the model: a mode, unexplained modes, or both.
+/// A stiffness identified from a survey that differs from the file beyond scatter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherStiffness {
+    /// The direction; `None` for the stiffness in plan.
+    pub direction: Option<String>,
+    /// Ratio of the spring that differs most to that of the file.
+    pub ratio: f64,
+    /// Difference of this spring in combined standard deviations; `None` if no deviation is known.
+    pub deviations: Option<f64>,
+}
+
+/// Reasons for doubt about the model: a mode, unexplained modes, another stiffness, or several of these.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InDoubt {
     /// The survey.
@@ -77,6 +90,8 @@ pub struct InDoubt {
     pub missed: Vec<MissedMode>,
     /// Measured modes that no stiffness explains.
     pub unexplained: Option<Unexplained>,
+    /// The identified stiffness that differs most from the file.
+    pub stiffness: Option<OtherStiffness>,
 }
 
 impl InDoubt {
@@ -93,13 +108,15 @@ impl InDoubt {
         let modes = off.len();
         let worst = off.into_iter().max_by(|a, b| a.apart().total_cmp(&b.apart()));
         let unexplained = own.and_then(|own| own.unexplained.clone());
-        let is_any = worst.is_some() || unexplained.is_some();
+        let stiffness = own.and_then(|own| own.stiffness.clone());
+        let is_any = worst.is_some() || unexplained.is_some() || stiffness.is_some();
         is_any.then(|| InDoubt {
             survey: worst.as_ref().map_or(survey, |mode| mode.survey.clone()),
             mode: worst,
             modes,
             missed,
             unexplained,
+            stiffness,
         })
     }
 
@@ -111,7 +128,9 @@ impl InDoubt {
             .map(|mode| mode.words(self.modes - 1, language));
         let unexplained = self.unexplained.as_ref().map(|of| of.words(language));
         let missed = self.missed.iter().map(|of| of.words(language));
-        let said: Vec<String> = mode.into_iter().chain(missed).chain(unexplained).collect();
+        let stiffness = self.stiffness.as_ref().map(|of| of.words(language));
+        let said = mode.into_iter().chain(missed).chain(unexplained).chain(stiffness);
+        let said: Vec<String> = said.collect();
         let of_survey = DoubtSaid::OfSurvey {
             said: said.join("; ").into(),
             survey: self.survey.clone(),
@@ -189,6 +208,29 @@ impl Unexplained {
     }
 }
 
+impl OtherStiffness {
+    fn words(&self, language: Language) -> String {
+        let ratio = significant(self.ratio, 3);
+        let found = match &self.direction {
+            Some(direction) => DoubtSaid::StiffnessAlong {
+                direction: direction.clone(),
+                ratio,
+            },
+            None => DoubtSaid::StiffnessInPlan { ratio },
+        };
+        match self.deviations {
+            Some(off) => text(
+                DoubtSaid::StiffnessOff {
+                    found: found.into(),
+                    deviations: significant(off, 2),
+                },
+                language,
+            ),
+            None => text(found, language),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -228,6 +270,7 @@ mod tests {
                 direction: None,
                 deviations: Some(5.23),
             }),
+            stiffness: None,
         };
         let doubt = InDoubt::of(
             "2026-04-02".into(),
@@ -243,6 +286,26 @@ mod tests {
         assert_eq!(
             InDoubt::of("2020-01-01".into(), Default::default(), &[found]),
             None
+        );
+    }
+
+    #[test]
+    fn holds_another_stiffness_leaves_a_model_in_doubt_whose_lowest_frequency_agrees() {
+        let found = SurveyDoubts {
+            survey: "2024-05-01".into(),
+            modes: Vec::new(),
+            unexplained: None,
+            stiffness: Some(OtherStiffness {
+                direction: Some("x".into()),
+                ratio: 0.882,
+                deviations: Some(51.2),
+            }),
+        };
+        let doubt = InDoubt::of("2024-05-01".into(), Default::default(), &[found]).unwrap();
+        assert_eq!(
+            doubt.words(Language::English),
+            "the stiffness found in direction x is 0.882 times that of the file where it differs most, 51 standard deviations apart (survey \
+             2024-05-01)"
         );
     }
 }

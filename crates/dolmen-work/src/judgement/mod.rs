@@ -30,7 +30,7 @@ pub use grown_damage::{GrownDamage, Growth};
 pub(crate) use held_against::superseded_by;
 pub use held_against::{first_sway, latest_frequencies, measured_frequencies, missed_modes};
 pub(crate) use in_doubt::SurveyDoubts;
-pub use in_doubt::{InDoubt, MissedMode, PairedMode, Unexplained};
+pub use in_doubt::{InDoubt, MissedMode, OtherStiffness, PairedMode, Unexplained};
 pub use judge::{
     Alarming, ChangedSince, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run,
 };

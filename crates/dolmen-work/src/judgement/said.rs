@@ -68,6 +68,18 @@ messages! {
             en: "no stiffness explains the measured modes in direction {direction}",
             ko: "{direction} 방향 계측 모드를 설명하는 강성이 없음",
         },
+        StiffnessAlong { direction: String, ratio: String } => {
+            en: "the stiffness found in direction {direction} is {ratio} times that of the file where it differs most",
+            ko: "{direction} 방향에서 추정한 강성이 가장 크게 다른 곳에서 파일 값의 {ratio}배",
+        },
+        StiffnessInPlan { ratio: String } => {
+            en: "the stiffness found in plan is {ratio} times that of the file where it differs most",
+            ko: "평면에서 추정한 강성이 가장 크게 다른 곳에서 파일 값의 {ratio}배",
+        },
+        StiffnessOff { found: Both, deviations: String } => {
+            en: "{found}, {deviations} standard deviations apart",
+            ko: "{found}(표준편차의 {deviations}배 차이)",
+        },
         BestOff { unexplained: Both, deviations: String } => {
             en: "{unexplained}, the best is {deviations} standard deviations off",
             ko: "{unexplained}(가장 가까운 값도 표준편차의 {deviations}배 차이)",

@@ -55,8 +55,9 @@ pub enum ModalError {
     },
     /// Fewer modes were found than requested.
     #[error(
-        "modes_wanted is {given}, but only {found} were found stable (at {found_hz:?} Hz): record for longer, place \
-         sensors where the missing modes move, or ask for {found}"
+        "modes_wanted is {given}, but only {found} were found stable (at {} Hz): record for longer, place \
+         sensors where the missing modes move, or ask for {found}",
+        listed_hz(found_hz)
     )]
     ModesMissing {
         /// Number of requested modes.
@@ -68,8 +69,9 @@ pub enum ModalError {
     },
     /// No mode was found near a requested frequency.
     #[error(
-        "no mode was found at {given_hz} Hz (± {within_hz} Hz); the modes found lie at {found_hz:?} Hz: no other mode \
-         is returned in its place"
+        "no mode was found at {given_hz} Hz (± {within_hz:.3} Hz); the modes found lie at {} Hz: no other mode \
+         is returned in its place",
+        listed_hz(found_hz)
     )]
     NoModeAt {
         /// Requested frequency, Hz.
@@ -81,7 +83,7 @@ pub enum ModalError {
     },
     /// The given block rows cover less than half a period of the lowest mode.
     #[error(
-        "block_rows is {given}, but the lowest mode of interest ({frequency_hz} Hz) needs at least {least} at \
+        "block_rows is {given}, but the lowest mode of interest ({frequency_hz:.3} Hz) needs at least {least} at \
          {sampling_rate_hz} samples a second: raise block_rows, decimate, or raise frequency_low_hz"
     )]
     BlockRows {
@@ -97,7 +99,7 @@ pub enum ModalError {
     /// The record is too short for the lags and blocks.
     #[error(
         "the record has {samples} samples, but correlations over {lags} lags in {blocks} blocks of time need {needed}: \
-         record for longer, or lower block_rows or time_blocks"
+         record for longer, or lower block_rows"
     )]
     TooShort {
         /// Samples of each channel.
@@ -365,6 +367,11 @@ impl ModalError {
             | Self::Record(_) => false,
         }
     }
+}
+
+fn listed_hz(frequencies_hz: &[f64]) -> String {
+    let all: Vec<String> = frequencies_hz.iter().map(|hz| format!("{hz:.3}")).collect();
+    all.join(", ")
 }
 
 fn listed_s(times_s: &[f64]) -> String {

@@ -8,6 +8,7 @@ use super::likelihood::refined;
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
 use super::quality::leave_out_clipped;
+use super::quality::leave_out_combs;
 use super::quality::leave_out_other_clocks;
 use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
@@ -91,6 +92,9 @@ fn of_ambient(
         let before = analysis.modes.modes.clone();
         leave_out_spells(record, &mut analysis.modes, &mut notes);
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::InSpells));
+        let before = analysis.modes.modes.clone();
+        leave_out_combs(&mut analysis.modes, &mut notes);
+        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Machine));
         let before = analysis.modes.modes.clone();
         let whole = clipped_record(record, options, &notes);
         leave_out_clipped(&[whole], &mut analysis.modes, &mut notes)?;

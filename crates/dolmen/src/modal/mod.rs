@@ -31,7 +31,8 @@ mod unkind;
 
 pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, decrement, era};
 pub use driven::{
-    Driven, DrivenMode, FrequencyResponse, FrequencyResponses, MadeOnGround, MadeOneMass, frequency_responses,
+    Driven, DrivenMode, FrequencyResponse, FrequencyResponses, MadeOnGround, MadeOneMass, OffGround,
+    frequency_responses,
 };
 pub use error::ModalError;
 pub use identify::identify;

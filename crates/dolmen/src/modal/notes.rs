@@ -60,6 +60,13 @@ pub enum Note {
         /// The modes.
         modes: Vec<InSpells>,
     },
+    /// Modes left out because they lie at multiples of one frequency and are steadier than modes: steps, a bell, an engine.
+    Comb {
+        /// The frequency, Hz.
+        fundamental_hz: f64,
+        /// Frequencies of these modes, Hz.
+        frequency_hz: Vec<f64>,
+    },
     /// Modes left out because the clipping of a channel creates them.
     Clipping {
         /// The modes.
@@ -177,6 +184,8 @@ pub enum Note {
     ClockDrift {
         /// Each channel with the error of its clock and the standard deviation of this error, 1e-6.
         drifting: Vec<(String, [f64; 2])>,
+        /// The channels with the other clock, if they are not more: then it is unknown which clock is wrong. Otherwise empty.
+        others: Vec<String>,
         /// Largest rotation of a phase over the record, degrees.
         turn_degrees: f64,
         /// Frequency of the mode with this rotation, Hz.
@@ -279,6 +288,14 @@ impl std::fmt::Display for Note {
                      strength wanders, {what}",
                     all.join(", ")
                 )
+            }
+            Note::Comb { frequency_hz, .. } => {
+                write!(
+                    f,
+                    "left out, since they are steadier than modes and lie at multiples of one frequency: "
+                )?;
+                list(f, frequency_hz)?;
+                write!(f, " Hz: steps that never pause, a bell or an engine")
             }
             Note::Clipping { modes } => {
                 let all: Vec<String> = modes.iter().map(ToString::to_string).collect();
@@ -434,6 +451,7 @@ impl std::fmt::Display for Note {
             }
             Note::ClockDrift {
                 drifting,
+                others,
                 turn_degrees,
                 frequency_hz,
                 sampling_rate_hz,
@@ -450,7 +468,11 @@ impl std::fmt::Display for Note {
                     "clocks run apart: {} against the other channels, standard deviations beside, which turns the phase at {frequency_hz:.3} Hz \
                      by {turn_degrees:.0}° along the record; frequencies and damping stay, and these channels are left out of the shapes",
                     each.join(", ")
-                )
+                )?;
+                if others.is_empty() {
+                    return Ok(());
+                }
+                write!(f, "; or \"{}\" as much the other way", others.join("\", \""))
             }
             Note::LateClocks { late } => {
                 let each: Vec<String> = late.iter().map(ToString::to_string).collect();

@@ -101,7 +101,7 @@ pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalErro
         .iter()
         .find(|f| !(**f > 0.0 && **f < nyquist_hz))
     {
-        return refused("accept_hz", *asked, "above 0 and below half the sampling rate");
+        return refused("accept", *asked, "above 0 and below half the sampling rate");
     }
     if let (Method::Era, Some(asked)) = (options.method, options.accept_hz.first()) {
         return Err(ModalError::AcceptedOfDecay { given_hz: *asked });

@@ -318,6 +318,11 @@ mod tests {
             said[0].starts_with("channel \"b\" looks turned round in one of the surveys: mean MAC of 3 modes 0.20 as they are, 1.00 with its sign"),
             "{said:?}"
         );
+        let both =
+            [&before, &before.map(|(hz, shape)| (1.005 * hz, turned(shape)))].map(|modes| survey(modes));
+        let options = SurveyChangeOptions::default();
+        let change = survey_change(&both[0], &both[1], &[], &options).unwrap();
+        assert_eq!((change.modes.len(), change.not_compared.len()), (3, 0));
         let is_turned = |note: &ChangeNote| matches!(note, ChangeNote::Turned(_));
         assert!(!notes(&before, &before).iter().any(is_turned));
     }

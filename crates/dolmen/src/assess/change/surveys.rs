@@ -111,7 +111,14 @@ pub fn survey_change(
     options: &SurveyChangeOptions,
 ) -> Result<SurveyChange, AssessError> {
     check(from, to, options)?;
-    let paired = pair_modes(&from.modes, &to.modes, &options.pairing)?;
+    let slip = slip_of_channels(&from.modes, &to.modes, &options.pairing);
+    // shapes with a wrong sign or exchanged channels pair no modes, or the wrong ones
+    let corrected = slip.as_ref().map(|slip| slip.corrected(&from.modes));
+    let paired = pair_modes(
+        corrected.as_ref().unwrap_or(&from.modes),
+        &to.modes,
+        &options.pairing,
+    )?;
     let step_c = match (from.temperature_c, to.temperature_c) {
         (Some(before), Some(after)) => Some(after - before),
         _ => None,
@@ -173,7 +180,6 @@ pub fn survey_change(
     });
     let other = paired.most_pairs.iter();
     let other_pairing_hz = other.map(|&[i, j]| [from.modes[i].frequency_hz, to.modes[j].frequency_hz]);
-    let slip = slip_of_channels(&from.modes, &to.modes, &options.pairing);
     notes.extend(slip.map(|slip| match slip {
         Slip::Swapped(swapped) => ChangeNote::Swapped(swapped),
         Slip::Turned(turned) => ChangeNote::Turned(turned),

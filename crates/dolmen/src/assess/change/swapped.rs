@@ -41,6 +41,32 @@ pub(super) enum Slip {
     Turned(TurnedChannel),
 }
 
+impl Slip {
+    /// The modes of the first survey with the change.
+    pub(super) fn corrected(&self, modes: &[ObservedMode]) -> Vec<ObservedMode> {
+        let mut modes = modes.to_vec();
+        for mode in &mut modes {
+            let at = |name: &String| mode.shape.iter().position(|point| point.channel.name == *name);
+            match self {
+                Slip::Turned(turned) => {
+                    if let Some(at) = at(&turned.channel) {
+                        mode.shape[at].component = -mode.shape[at].component;
+                    }
+                }
+                Slip::Swapped(swapped) => {
+                    let [first, second] = &swapped.channels;
+                    if let Some((a, b)) = at(first).zip(at(second)) {
+                        let component = mode.shape[a].component;
+                        mode.shape[a].component = mode.shape[b].component;
+                        mode.shape[b].component = component;
+                    }
+                }
+            }
+        }
+        modes
+    }
+}
+
 /// A change of the channels of the second survey.
 #[derive(Clone, Copy)]
 enum Change {

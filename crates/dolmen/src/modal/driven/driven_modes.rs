@@ -1,5 +1,6 @@
 //! Results of a record with measured inputs besides the modes.
 
+use super::ground_ratios::OffGround;
 use super::responses::FrequencyResponses;
 
 /// Results of a record with measured inputs besides the modes.
@@ -13,6 +14,8 @@ pub struct Driven {
     pub noise: f64,
     /// Response of each channel to the inputs, line by line; `None` if the record is too short.
     pub responses: Option<FrequencyResponses>,
+    /// Channels that do not move as a measured ground far below the lowest mode: a reversed sensor or a wrong unit.
+    pub off_ground: Vec<OffGround>,
     /// Each mode, by frequency.
     pub modes: Vec<DrivenMode>,
 }

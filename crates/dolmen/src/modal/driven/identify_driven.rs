@@ -1,6 +1,7 @@
 //! Modes of a structure from a record with measured base motion.
 
 use super::driven_modes::{Driven, DrivenMode};
+use super::ground_ratios::{OffGround, off_ground};
 use super::observer::{Fit, Measured, coefficients_of, observe};
 use super::realization::{Realization, Realize, realize};
 use super::responses::{FrequencyResponses, InputsAt, frequency_responses};
@@ -147,15 +148,30 @@ pub(crate) fn of_driven(
         .zip(&analysis.modes.modes)
         .filter(|(_, mode)| mode.is_found());
     refuse_unrelated(of_found.map(|(of, _)| of))?;
+    let responses = responses(&slower, &options.inputs, &analysis.modes);
     analysis.driven = Some(Driven {
         inputs: names,
         lags,
         noise,
-        responses: responses(&slower, &options.inputs, &analysis.modes),
+        off_ground: off_their_ground(record, options, (responses.as_ref(), &analysis.modes)),
+        responses,
         modes,
     });
     analysis.notes = notes;
     Ok(analysis)
+}
+
+/// Channels that contradict their ground, by the responses below the lowest mode that was found.
+fn off_their_ground(
+    record: &Record,
+    options: &Identify,
+    (responses, modes): (Option<&FrequencyResponses>, &Modes),
+) -> Vec<OffGround> {
+    let lowest = modes.modes.iter().find(|mode| mode.is_found());
+    responses.zip(lowest).map_or_else(Vec::new, |(of, lowest)| {
+        let measured = (record.channels(), options.inputs.as_slice());
+        off_ground(of, measured, lowest.frequency_hz)
+    })
 }
 
 /// The requested factor, or otherwise the factor that gives [`SAMPLES_A_PERIOD`] in a period of the highest peak.

@@ -1,6 +1,7 @@
 //! Modes from a measured input: the response of a structure to the motion of its ground.
 
 mod driven_modes;
+mod ground_ratios;
 mod identify_driven;
 mod made;
 mod markov_parameters;
@@ -9,6 +10,7 @@ mod realization;
 mod responses;
 
 pub use driven_modes::{Driven, DrivenMode};
+pub use ground_ratios::OffGround;
 pub(super) use identify_driven::of_driven;
 pub use made::{MadeOnGround, MadeOneMass};
 pub use responses::{FrequencyResponse, FrequencyResponses, frequency_responses};

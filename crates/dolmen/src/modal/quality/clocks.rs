@@ -90,6 +90,15 @@ pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: 
         * TAU
         * highest_hz
         * record.duration_s();
+    // without a majority either clock may be the wrong one
+    let agrees = |c: &usize| drifts[*c].is_some_and(|d| !d.differs(&base, turn_ppm));
+    let mut others: Vec<String> = (0..l)
+        .filter(agrees)
+        .map(|c| record.channels()[c].name.clone())
+        .collect();
+    if others.len() > off.len() {
+        others.clear();
+    }
     let kept: Vec<usize> = (0..l).filter(|c| !off.contains(c)).collect();
     modes.channels = kept.iter().map(|&c| modes.channels[c].clone()).collect();
     for mode in &mut modes.modes {
@@ -97,6 +106,7 @@ pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: 
     }
     notes.push(Note::ClockDrift {
         drifting,
+        others,
         turn_degrees: turn.to_degrees(),
         frequency_hz: highest_hz,
         sampling_rate_hz: record.sampling_rate_hz(),
@@ -347,6 +357,21 @@ mod tests {
             }
             assert!(found.modes.modes.iter().all(|mode| mode.shape.len() == 3));
         }
+    }
+
+    #[test]
+    fn holds_of_two_clocks_with_as_many_channels_either_may_be_wrong() {
+        let others_of = |ppm: [f64; 4]| {
+            let found = identify(&measured(ppm, 7), &Identify::default()).unwrap();
+            let note = found.notes.iter().find_map(|note| match note {
+                Note::ClockDrift { others, drifting, .. } => Some((others.clone(), drifting.len())),
+                _ => None,
+            });
+            note.unwrap_or_else(|| panic!("{:?}", found.notes))
+        };
+        let (others, drifting) = others_of([0.0, 0.0, 50.0, 50.0]);
+        assert_eq!((others.len(), drifting), (2, 2));
+        assert_eq!(others_of([0.0, 0.0, 50.0, 0.0]), (Vec::new(), 1));
     }
 
     #[test]

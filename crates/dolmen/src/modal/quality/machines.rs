@@ -2,7 +2,7 @@
 
 use super::harmonics::{Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
-use super::lines::{FineLines, LineTest};
+use super::lines::{FineLines, LineTest, seeing_most};
 use super::remarks::{USUAL_LEAST, explained};
 use super::spells::{in_spells, note_spells};
 use super::wander::{Wander, wander};
@@ -136,7 +136,7 @@ pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Mod
     let far_hz = 0.5 / record.duration_s();
     let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &modes.modes));
     let each = modes.modes.iter().chain(unexplained).filter_map(|mode| {
-        let line = lines.test(mode).filter(LineTest::is_sine)?;
+        let line = lines.test_on_mode(mode).filter(LineTest::is_sine)?;
         let within_hz = far_hz + 1.5 * mode.damping_ratio.unwrap_or(line.damping_ratio) * mode.frequency_hz;
         let is_here = (line.frequency_hz - mode.frequency_hz).abs() <= within_hz;
         let is_on = is_here && line.mode_remains && line.strength <= STRENGTH_MOST;
@@ -178,15 +178,6 @@ fn is_steady_at(record: &Record, peak: &Mode, damped: [f64; 2]) -> Result<bool, 
 /// Damping ratio for the correlation time of the motion of a mode: half of the found value, but at least the least damping ratio. Our choice.
 fn follows_itself([least, found]: [f64; 2]) -> f64 {
     (0.5 * found).min(USUAL_LEAST).max(least)
-}
-
-/// The sensors with the largest motion in a mode.
-fn seeing_most(mode: &Mode) -> Vec<usize> {
-    const CHANNELS: usize = 4;
-    let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
-    channels.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
-    channels.truncate(CHANNELS);
-    channels
 }
 
 /// Kurtosis near a mode at the sensors with its largest motion.

@@ -2,6 +2,7 @@
 
 mod clipping;
 mod clocks;
+mod combs;
 mod crest_phases;
 mod from_clipping;
 mod gusts;
@@ -19,6 +20,7 @@ mod wander;
 
 pub(super) use clipping::{ClippedRecord, leave_out_clipped};
 pub(super) use clocks::leave_out_other_clocks;
+pub(super) use combs::leave_out_combs;
 pub use from_clipping::FromClipping;
 pub(super) use gusts::{unequal, widen};
 pub use harmonics::{Kurtosis, band_kurtosis};

@@ -9,7 +9,7 @@ use crate::modal::candidate::Candidate;
 use crate::modal::quality::doubt_channels;
 use crate::modal::quality::remark;
 use crate::modal::quality::{ClippedRecord, leave_out_clipped};
-use crate::modal::quality::{Diagram, of_steady, split_tones, test_for_machines};
+use crate::modal::quality::{Diagram, leave_out_combs, of_steady, split_tones, test_for_machines};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{
     check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
@@ -205,6 +205,9 @@ fn leave_out_made(
     let before = modes.modes.clone();
     test_for_machines(seen, options, modes, notes)?;
     let mut made = taken_out(&before, &modes.modes, of_steady);
+    let before = modes.modes.clone();
+    leave_out_combs(modes, notes);
+    made.extend(taken_out(&before, &modes.modes, |_| Refusal::Machine));
     let each = clipped.into_iter().zip(seen);
     let placed = each.map(|(of, (_, places))| ClippedRecord {
         places: places.clone(),
