@@ -3,13 +3,14 @@
 use crate::cli::{Points, Rotations, Simulate};
 use crate::cli_motion::Motion;
 use crate::manner::Manner;
+use crate::wrong::CommandError;
 use anyhow::Result;
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
 use dolmen::signal::Component;
 use dolmen_folder::Outputs;
 use dolmen_records::MOTION_BYTES_MOST;
-use dolmen_work::motion::{GivenFile, MotionRequest};
+use dolmen_work::motion::{GivenFile, MotionRequest, is_built_in_motion};
 use dolmen_work::stack::{Law, Repeating};
 use dolmen_work::{SimulateOptions, WindAsked};
 use std::path::Path;
@@ -19,6 +20,10 @@ pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Res
     let mut files = Vec::new();
     for text in named {
         let (component, name) = named_file(text);
+        if is_built_in_motion(name) && !Path::new(name).exists() {
+            let name = name.to_owned();
+            return Err(CommandError::BuiltInAsFile { name }.into());
+        }
         files.push(GivenFile {
             component,
             name: name.to_owned(),

@@ -24,6 +24,9 @@ pub(crate) enum CommandError {
     },
     StoreIsServer,
     NoMotion,
+    BuiltInAsFile {
+        name: String,
+    },
     NoPlaneMotion,
     At2One {
         count: usize,
@@ -98,6 +101,10 @@ sentences! {
         CheckOfVariant { name } => {
             en: "check has no --variant: it answers the structure as it is and every variant, and `dolmen check PROJECT --full` prints them all, {name} among them",
             ko: "check에는 --variant가 없다. 현 상태와 모든 대안을 함께 검토하며 `dolmen check PROJECT --full`이 {name}을(를) 포함한 모든 대안을 보여 준다",
+        },
+        BuiltInAsFile { name } => {
+            en: "there is no file {name}; the motion of that name is built in: give --motion {name}, or the file of a record",
+            ko: "{name} 파일이 없다. 그 이름의 지반운동은 내장되어 있으므로 --motion {name}으로 쓰거나 기록 파일을 지정한다",
         },
         StoreThere { path } => {
             en: "{path} is there already: a whole store is written to a new file, so that nothing is lost",

@@ -127,6 +127,7 @@ pub use survey::{
     Severity, Survey, SurveyMode, TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
 };
 pub use survey_like::{LikeSurvey, survey_like};
+pub use unchecked::StiffnessFit;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;
 pub use write_back::{IdentifiedNumber, NewValue, with_values, with_values_on_their_lines};

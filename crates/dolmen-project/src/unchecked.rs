@@ -1,7 +1,25 @@
 //! Surveys whose modes give the stiffness of the structure and leave nothing to check it.
 
-use crate::{ChainAxis, ModeKind, Project, Structure, Survey};
+use crate::{ChainAxis, ModeKind, Project, Structure, Survey, SurveyMode};
 use std::collections::{BTreeMap, BTreeSet};
+
+/// What the stiffness of one direction was fitted to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StiffnessFit {
+    /// Number of measured frequencies.
+    pub frequencies: usize,
+    /// Whether any of them has a measured shape.
+    pub with_shapes: bool,
+    /// Number of unknown stiffnesses.
+    pub unknowns: usize,
+}
+
+impl StiffnessFit {
+    /// Whether it fits by construction: frequencies alone, not more than unknown stiffnesses, leave nothing that could contradict it.
+    pub fn is_by_construction(self) -> bool {
+        !self.with_shapes && self.frequencies <= self.unknowns
+    }
+}
 
 impl Project {
     /// The surveys from which stiffness was identified by frequencies alone, as many as there are unknown stiffnesses or fewer: such a fit
@@ -66,9 +84,13 @@ impl Project {
             .map(Iterator::collect::<Vec<_>>)
             .filter(|modes| !modes.is_empty())
             .collect();
-        let is_bare = |modes: &Vec<_>| {
-            let with_shape = |mode: &&crate::SurveyMode| !mode.shape.is_empty();
-            modes.len() <= unknowns && !modes.iter().any(with_shape)
+        let is_bare = |modes: &Vec<&SurveyMode>| {
+            let fit = StiffnessFit {
+                frequencies: modes.len(),
+                with_shapes: modes.iter().any(|mode| !mode.shape.is_empty()),
+                unknowns,
+            };
+            fit.is_by_construction()
         };
         let has_records = survey.records.is_some() || !survey.setups.is_empty();
         !has_records && !measured.is_empty() && measured.iter().all(is_bare)

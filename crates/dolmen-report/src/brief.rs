@@ -1,7 +1,8 @@
 //! Common to all short and full answers on a terminal: the decisive findings, how much more there is, and the notes on the file.
 
 use crate::document::{Finding, TextStyle, Tone, findings_text, heading_text, wrapped};
-use dolmen_project::{Project, Warning};
+use crate::warned::warned;
+use dolmen_project::{Project, Warning, WarningKind};
 use dolmen_words::{Language, Sentence, messages};
 
 /// Lines of a short answer below its headline.
@@ -119,15 +120,23 @@ pub(crate) fn notes_text(project: &Project, style: TextStyle) -> String {
         return String::new();
     }
     let head = heading_text(&said(Brief::NotesHead, style.language));
-    let each = project.warnings.iter().map(|note| note_text(note, style));
+    let each = project
+        .warnings
+        .iter()
+        .map(|note| note_text(project, note, style));
     head + &each.collect::<String>()
 }
 
 /// One note on the file.
-pub(crate) fn note_text(note: &Warning, style: TextStyle) -> String {
+pub(crate) fn note_text(project: &Project, note: &Warning, style: TextStyle) -> String {
+    // keys are English words
+    let message = match (note.kind, style.language) {
+        (WarningKind::Assumed, Language::Korean) => warned(project, note),
+        _ => note.message.clone(),
+    };
     let message = Brief::Note {
         line: note.line,
-        message: note.message.clone(),
+        message,
     };
     wrapped(&said(message, style.language), "  * ", "    ", style.columns())
 }

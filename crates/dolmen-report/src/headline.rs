@@ -192,7 +192,15 @@ pub fn simulation_headline_text(judgement: &Judgement, style: TextStyle) -> Stri
         .versions
         .iter()
         .filter(|version| !parts(version).is_empty());
-    lines.map(|version| verdict_line(version, style)).collect()
+    let has_own = judgement.versions.iter().any(|version| version.variant.is_none());
+    let each = lines.map(|version| match version.variant.as_deref().filter(|_| has_own) {
+        Some(variant) => {
+            let said = worse(Both::from(variant), version).text(style.language);
+            wrapped(&said, "  ", "    ", style.columns())
+        }
+        None => verdict_line(version, style),
+    });
+    each.collect()
 }
 
 /// The verdict of each of several solutions of a stiffness, by their numbers; `worst`: the decisive one, if it differs from the worst of a check.

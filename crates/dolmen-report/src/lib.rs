@@ -38,6 +38,7 @@ pub mod kept;
 mod limits;
 mod load_factor;
 mod loads;
+mod lowered;
 mod mark;
 mod modal;
 mod mode_film;

@@ -246,6 +246,20 @@ pub enum WorkError {
     SlidingOfSupports,
     /// The sliding model has no loose stones.
     SlidingOfLoose,
+    /// No mode stands out of the spectrum of a record with single samples far from their neighbours.
+    SpikesHideModes {
+        /// The channel.
+        channel: String,
+        /// Number of these samples.
+        count: usize,
+        /// Time of the first one, s from the start.
+        first_s: f64,
+    },
+    /// A variant of loose stones has placed ones.
+    PlacedVariant {
+        /// The variant.
+        variant: String,
+    },
     /// A chain is pushed too far.
     PushTooLarge {
         /// The push, rad.

@@ -21,8 +21,8 @@ use crate::surveyed::{
 };
 use crate::wrong::Place;
 use dolmen::modal::{
-    During, Identify, MergeSetups, Method, ModalAnalysis, Modes, Note, Part, StrongMotion, doubt_sensors,
-    identify as modes_of, is_of_one_state, joint_setups, merge_setups, strong_motion,
+    During, Identify, MergeSetups, Method, ModalAnalysis, ModalError, Modes, Note, Part, StrongMotion,
+    doubt_sensors, identify as modes_of, is_of_one_state, joint_setups, merge_setups, strong_motion,
 };
 use dolmen::signal::{ChannelFault, Record, clipped_channels, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
@@ -337,6 +337,32 @@ fn of_record(
     of_opened(source, record::record_to_identify(source, files)?, progress)
 }
 
+/// The same error, or the single samples far from their neighbours that hide the modes from the spectrum.
+fn hidden_by_spikes(why: WorkError, faults: &[ChannelFault]) -> WorkError {
+    match why {
+        WorkError::Within { place, cause } => WorkError::Within {
+            place,
+            cause: Box::new(hidden_by_spikes(*cause, faults)),
+        },
+        WorkError::Modal(of) if matches!(*of, ModalError::NoPeak { .. }) => {
+            let spikes = faults.iter().find_map(|fault| match fault {
+                ChannelFault::Spikes {
+                    channel,
+                    count,
+                    first_s,
+                } => Some(WorkError::SpikesHideModes {
+                    channel: channel.clone(),
+                    count: *count,
+                    first_s: *first_s,
+                }),
+                _ => None,
+            });
+            spikes.unwrap_or(WorkError::Modal(of))
+        }
+        other => other,
+    }
+}
+
 /// Modes of a record.
 pub(crate) fn of_opened(
     source: &RecordSource,
@@ -370,7 +396,8 @@ pub(crate) fn of_opened(
             found,
             is_whole: opened.losses.lost_s.is_empty(),
         },
-    )?;
+    )
+    .map_err(|why| hidden_by_spikes(why, &opened.faults))?;
     if earthquake.as_ref().is_some_and(Earthquake::is_shaken) {
         // strong ground motion resembles a loose contact: the faults of the quiet parts count
         let is_spike = |note: &Note| matches!(note, Note::Channel(ChannelFault::Spikes { .. }));
@@ -395,6 +422,7 @@ pub(crate) fn of_opened(
         unit: opened.unit,
         remarks: opened.remarks,
         unread_stamps: opened.unread_stamps,
+        clock_doubts: opened.clock_doubts,
         faults: opened.faults,
         doubts: doubt_sensors(&record, &analysis.modes.modes),
         analysis,

@@ -1,6 +1,7 @@
 //! The record of a survey: read with the settings of the project file, checked for faulty channels, conditioned.
 
 use crate::error::{Within as _, WorkError};
+use crate::station_clocks::{ClockDoubt, clock_doubts};
 use crate::wrong::FileRemark;
 use dolmen::modal::{Losses, earthquakes_in};
 use dolmen::signal::{
@@ -26,6 +27,8 @@ pub(crate) struct OpenedRecord {
     pub(crate) begins_s: Option<f64>,
     pub(crate) remarks: Vec<Both>,
     pub(crate) unread_stamps: Vec<String>,
+    /// Files whose dates contradict the given starts.
+    pub(crate) clock_doubts: Vec<ClockDoubt>,
     pub(crate) faults: Vec<ChannelFault>,
     /// Its lost samples.
     pub(crate) losses: Losses,
@@ -64,7 +67,12 @@ pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedR
         starts: source.starts,
         ..Join::default()
     };
-    opened(join_stations(stations, &options)?, source, composed)
+    let clock_doubts = clock_doubts(&stations, source.starts);
+    let opened = opened(join_stations(stations, &options)?, source, composed)?;
+    Ok(OpenedRecord {
+        clock_doubts,
+        ..opened
+    })
 }
 
 /// As [`record`], but a record with an earthquake keeps the parts on both sides of its lost samples, so that its times count from its first
@@ -149,6 +157,7 @@ fn opened(
         begins_s,
         remarks,
         unread_stamps,
+        clock_doubts: Vec::new(),
         faults,
         is_shaken: !shaken_s.is_empty(),
         losses,

@@ -13,7 +13,7 @@ use crate::motion::{MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::photos::photos;
 use crate::progress::Progress;
-use crate::simulate::{SimulateOptions, is_loose, moves_supports, prepare, settle};
+use crate::simulate::{SimulateOptions, is_loose, moves_supports, prepare, settle, settle_and_shake};
 use crate::simulation::SimulateAnswer;
 use crate::study::{StudyJournals, studies_run};
 use crate::tilt_left_out::TiltLeftOut;
@@ -120,7 +120,7 @@ fn settled(
         motion: request.clone(),
         ..SimulateOptions::default()
     };
-    prepare(opened, &options, files)?.run(progress)
+    settle_and_shake(opened, &options, files, progress)
 }
 
 /// The stack as it is with slowly moving supports, if the file has movements and there is no motion.

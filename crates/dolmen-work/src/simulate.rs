@@ -174,13 +174,49 @@ fn settles(project: &Project) -> bool {
     is_loose(project) && project.motions.is_empty()
 }
 
-/// The loose stones of a project at rest, by both laws and without a motion: their check.
+/// The loose stones of a project and of each variant at rest, by both laws and without a motion: their check.
 ///
 /// # Errors
 /// [`WorkError`] if the stones are not loose, or a run is refused.
 pub fn settle(opened: &Opened, progress: &dyn Progress) -> Result<SimulateAnswer, WorkError> {
     let options = SimulateOptions::default();
-    run_one(&Version::named(opened, None)?, None, &options, progress)
+    settled_versions(opened, |version| run_one(version, None, &options, progress))
+}
+
+/// The loose stones of a project and of each variant at rest, by both laws, and then under a motion.
+///
+/// # Errors
+/// [`WorkError`] if the stones are not loose, or a run is refused.
+pub(crate) fn settle_and_shake(
+    opened: &Opened,
+    options: &SimulateOptions,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<SimulateAnswer, WorkError> {
+    settled_versions(opened, |version| {
+        let options = SimulateOptions {
+            variant: version.variant.map(str::to_owned),
+            ..options.clone()
+        };
+        prepare(opened, &options, files)?.run(progress)
+    })
+}
+
+/// The answer on loose stones as they are, with the runs of every variant.
+fn settled_versions(
+    opened: &Opened,
+    run: impl Fn(&Version<'_>) -> Result<SimulateAnswer, WorkError>,
+) -> Result<SimulateAnswer, WorkError> {
+    let mut answer = run(&Version::named(opened, None)?)?;
+    for variant in &opened.project.variants {
+        if !is_loose(&variant.project) {
+            let variant = variant.name.clone();
+            return Err(WorkError::PlacedVariant { variant });
+        }
+        let version = Version::named(opened, Some(&variant.name))?;
+        answer.simulations.extend(run(&version)?.simulations);
+    }
+    Ok(answer)
 }
 
 /// Evidence of a project's surveys for its model as it is.

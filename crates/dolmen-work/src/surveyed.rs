@@ -6,6 +6,7 @@ use crate::model_modes::ModelModes;
 use crate::record_seen::RecordSeen;
 use crate::sensor_alarms::SensorFault;
 use crate::stack::FactorsAnswer;
+use crate::station_clocks::ClockDoubt;
 use dolmen::blocks::JointFactorsError;
 use dolmen::modal::{
     JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt, StrongMotion,
@@ -13,7 +14,7 @@ use dolmen::modal::{
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
 use dolmen::structure::{Choice, ColumnsOfLevel, Convention, ShapeDoubt, StiffnessSolutions};
-use dolmen_project::EarthquakePart;
+use dolmen_project::{EarthquakePart, StiffnessFit};
 use dolmen_words::message::Both;
 
 /// Why no stiffness is computed.
@@ -355,6 +356,8 @@ pub struct RecordAnswer {
     pub remarks: Vec<Both>,
     /// Columns that look like times but cannot be read, so that nothing confirms the given sampling rate.
     pub unread_stamps: Vec<String>,
+    /// Files whose dates contradict the starts that the project file gives.
+    pub clock_doubts: Vec<ClockDoubt>,
     /// Suspected faults of channels.
     pub faults: Vec<ChannelFault>,
     /// Contradictions between its sensors.
@@ -430,15 +433,21 @@ impl StiffnessAnswer {
         self.solutions.choice == Choice::One && self.is_undoubted()
     }
 
-    /// Whether the one solution fits by construction: frequencies alone, as many as unknown stiffnesses, leave nothing that could contradict it.
+    /// Whether there is one solution, and it [fits by construction](StiffnessFit::is_by_construction).
     pub fn fits_by_construction(&self) -> bool {
         self.solutions.choice == Choice::One && self.is_unchecked()
     }
 
-    /// Whether nothing checks its solutions, one or several: frequencies alone, not more than unknown stiffnesses.
+    /// Whether nothing checks its solutions, one or several.
     pub fn is_unchecked(&self) -> bool {
-        let unknowns = self.solutions.solutions.first().map(|one| one.stiffness.len());
-        !self.with_shapes && unknowns.is_some_and(|unknowns| self.frequencies_hz.len() <= unknowns)
+        self.solutions.solutions.first().is_some_and(|one| {
+            let fit = StiffnessFit {
+                frequencies: self.frequencies_hz.len(),
+                with_shapes: self.with_shapes,
+                unknowns: one.stiffness.len(),
+            };
+            fit.is_by_construction()
+        })
     }
 
     /// Whether there is no doubt about the modes.

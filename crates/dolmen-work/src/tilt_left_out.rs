@@ -98,11 +98,16 @@ impl TiltLeftOut {
     pub(crate) fn of(surveys: &[Survey]) -> Option<Self> {
         let tilted = surveys.iter().filter(|survey| !survey.tilt.is_empty());
         let survey = tilted.max_by_key(|survey| date(&survey.name))?;
-        let each = survey.tilt.iter();
-        let written = each.map(|(direction, tilt)| format!("{direction} {}", tilt.written));
         Some(TiltLeftOut {
             survey: survey.name.clone(),
-            written: written.collect::<Vec<_>>().join(", "),
+            written: Self::written(survey),
         })
+    }
+
+    /// The tilt of a survey as written, by direction.
+    pub(crate) fn written(survey: &Survey) -> String {
+        let each = survey.tilt.iter();
+        let written = each.map(|(direction, tilt)| format!("{direction} {}", tilt.written));
+        written.collect::<Vec<_>>().join(", ")
     }
 }

@@ -33,7 +33,7 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
     let answer = scratch.dolmen("study examples/twisting_floor --study shaken -o out");
     assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
     for said in [
-        "limit 1",
+        "drift 0.1 %",
         "drifts beyond the last limit",
         "drift limits 0.1, 0.3, 0.6, 1.2 %",
     ] {

@@ -136,3 +136,31 @@ fn holds_the_rubble_of_the_example_stands_by_both_laws() {
         assert_eq!(run["settled"]["outcome"]["kind"], "stood", "{run}");
     }
 }
+
+#[test]
+fn holds_every_variant_of_loose_stones_settles_and_the_worse_one_is_named() {
+    let stands = cubes(&[[0.0, 0.0, 0.001], [0.0, 0.0, 0.202]], "");
+    let falls = cubes(&[[0.0, 0.0, 0.0], [0.15, 0.0, 0.201]], "");
+    let blocks = falls.split_once("blocks = ").unwrap().1;
+    let text = format!("{stands}[variant.shifted]\nblocks = {blocks}");
+    let (status, stdout, stderr) = answer("loose-variant", &text, "check project.toml");
+    assert_eq!(status, 1, "{stdout}{stderr}");
+    let words = stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    for said in [
+        "Own weight: stable",
+        "Variant “shifted”: Own weight: unstable",
+        "Variant “shifted”: With rigid stones 'upper' leaves its place",
+    ] {
+        assert!(words.contains(said), "{said}: {stdout}");
+    }
+    let (_, json, _) = answer("loose-variant-json", &text, "check project.toml --json");
+    let value: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(value["simulations"][1]["variant"], "shifted", "{json}");
+    let (status, _, stderr) = answer(
+        "loose-variant-placed",
+        &format!("{stands}[variant.placed]\nloose = false\n"),
+        "check project.toml",
+    );
+    assert_eq!(status, 2, "{stderr}");
+    assert!(stderr.contains("\"placed\""), "{stderr}");
+}

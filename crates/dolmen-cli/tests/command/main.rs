@@ -3,6 +3,7 @@
 
 mod accepted_modes;
 mod aftershocks;
+mod allowed_drift_curves;
 mod anchors;
 mod answers;
 mod assemblies;

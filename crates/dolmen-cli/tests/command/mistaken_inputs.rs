@@ -556,3 +556,50 @@ fn refuses_a_work_of_an_unknown_kind_once() {
         answer.stderr
     );
 }
+
+#[test]
+fn refuses_a_built_in_motion_as_a_file_and_says_how_it_is_given() {
+    let scratch = Scratch::new("built-in-as-file");
+    for words in [
+        "motion el-centro-1940-ns",
+        "motion el-centro-1940-ns --language ko",
+    ] {
+        let answer = scratch.dolmen(words);
+        assert_eq!(answer.status, 2, "{}", answer.stdout);
+        assert!(
+            answer.stderr.contains("--motion el-centro-1940-ns"),
+            "{}",
+            answer.stderr
+        );
+    }
+    assert_eq!(scratch.dolmen("motion --motion el-centro-1940-ns").status, 0);
+}
+
+/// Two sines in noise with one sample of a logger without a reading.
+#[test]
+fn refuses_a_record_whose_modes_a_sample_of_9999_hides_and_names_it() {
+    let scratch = Scratch::new("spike-hides-modes");
+    let mut random = dolmen::numeric::Random::new(20261129, 0);
+    let mut text = "low,high\n".to_owned();
+    for sample in 0..12_000 {
+        let t = f64::from(sample) / 100.0;
+        let moved = (7.1 * t).sin() + 0.5 * (19.3 * t).sin();
+        let high = match sample {
+            7001 => -9999.0,
+            _ => moved + 0.3 * random.normal(),
+        };
+        writeln!(text, "{:.4},{high:.4}", 0.5 * moved + 0.3 * random.normal()).unwrap();
+    }
+    fs::write(scratch.path().join("r.csv"), text).unwrap();
+    let channels = "channels = [{ column = \"low\", position = [0, 0, 4.8], direction = \"x\" }, { column = \"high\", position = [0, 0, 8.9], direction = \"x\" }]";
+    let frame = "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nunits = { mass = \"t\", stiffness = \"kN/mm\" }\nstoreys = [{ mass = 180, height = 4.8 }, { mass = 120, height = 4.1 }]\ndirection.x.stiffness = \"unknown\"\n";
+    let file = format!(
+        "{frame}[survey.2026-05-01.records]\nfile = \"r.csv\"\nunit = \"gal\"\nsampling_rate = 100\n{channels}\n"
+    );
+    fs::write(scratch.path().join("p.toml"), file).unwrap();
+    let answer = scratch.dolmen("identify p.toml");
+    assert_eq!(answer.status, 2, "{}", answer.stdout);
+    for said in ["channel \"high\"", "70.01 s", "9999"] {
+        assert!(answer.stderr.contains(said), "{said}: {}", answer.stderr);
+    }
+}

@@ -121,3 +121,44 @@ fn holds_a_direction_that_the_spectrum_does_not_reach_hides_no_other() {
     assert!(text.contains("Direction y is not compared"), "{text}");
     assert!(!text.contains("?."), "{text}");
 }
+
+/// A pole whose survey has no date.
+const POLE: &str = r#"
+schema = 1
+kind = "chain"
+name = "pole"
+units = { length = "m", force = "kN", stiffness = "kN*m/rad" }
+links = [
+  { name = "a", weight = 30, length = 3, centroid = 1.4, breadth = 0.6 },
+  { name = "b", weight = 10, length = 2, centroid = 0.9, breadth = 0.4 },
+]
+joints = [{ stiffness = 900, bed_width = 0.6 }, { stiffness = 90, bed_width = 0.4 }]
+damping_ratio = 0.02
+[motion.m]
+built_in = "el-centro-1940-ns"
+peak = "0.02 g"
+"#;
+
+#[test]
+fn holds_a_tilt_without_a_date_that_the_beds_are_checked_for_is_in_the_headline() {
+    for survey in ["old", "2026-01-01"] {
+        let file = format!("{POLE}[survey.{survey}]\ntilt = {{ x = \"1/12\" }}\n");
+        let answer = asked("undated-pole", &file, "check p.toml");
+        let text = answer.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        let said = format!("leaning as surveyed ({survey}: x 1/12)");
+        assert!(text.contains(&said), "{said}: {text}");
+    }
+    // the run of the same file starts plumb, and says so alone
+    let file = format!("{POLE}[survey.old]\ntilt = {{ x = \"1/12\" }}\n");
+    let answer = asked("undated-pole-run", &file, "simulate p.toml --motion m");
+    assert!(
+        answer.stdout.contains("not in it: tilt x 1/12"),
+        "{}",
+        answer.stdout
+    );
+    assert!(
+        !answer.stdout.contains("leaning as surveyed"),
+        "{}",
+        answer.stdout
+    );
+}

@@ -98,20 +98,13 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
         refuse_counts(&table.samples, length, &plan.channels)?;
     }
     let free: Vec<bool> = plan.uses.iter().map(|wanted| *wanted == Use::Nothing).collect();
-    let mut unread_stamps = None;
+    let mut dates = Dates::None;
     let (rate_hz, rate_source) = match (&table.kept, options.sampling_rate_hz) {
         (Some(kept), Some(_)) => (kept.stamps.rate_hz()?, RateSource::GivenAndStamps),
         (Some(kept), None) => (kept.stamps.rate_hz()?, RateSource::Stamps),
         (None, Some(given)) => {
-            let dates = held_against(bytes, (&start, &free), (given, length))?;
-            let source = match dates {
-                Dates::Agree => RateSource::GivenAndDates,
-                Dates::None | Dates::Unread(_) => RateSource::Given,
-            };
-            if let Dates::Unread(column) = dates {
-                unread_stamps = Some(column);
-            }
-            (given, source)
+            dates = held_against(bytes, (&start, &free), (given, length))?;
+            (given, dates.rate_source())
         }
         (None, None) => return Err(RecordError::NoRate { names: start.columns }),
     };
@@ -138,7 +131,8 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
             time_column: time.map(|t| start.columns[t.column].clone()),
             columns: start.columns,
             rate_source,
-            unread_stamps,
+            first_date: dates.first(),
+            unread_stamps: dates.unread(),
             passed_over: start.passed_over,
             is_cp949: text.is_cp949,
             names_unread: start.names_unread,

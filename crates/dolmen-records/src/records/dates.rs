@@ -1,21 +1,44 @@
 //! Compares the first and last date in a file with the sampling rate.
 
-use super::RecordError;
 use super::csv_start::Start;
 use super::date_text::{At, DAY_S, HOUR_S, after_in_hours, date_time, minute_of_hour, serial};
 use super::dialect::{holds_cells, unquoted};
+use super::{FirstDate, RateSource, RecordError};
 
 /// Relative difference allowed between a given rate and that of dates, beyond their last digit. As for stamps in seconds.
 const RATE_TOLERANCE: f64 = 1e-4;
 /// Result of dates for a given rate.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Dates {
     /// There are none.
     None,
-    /// The dates agree with the given rate.
-    Agree,
+    /// The dates agree with the given rate; the first one, if it is more than a time of the hour.
+    Agree(Option<At>),
     /// A column that looks like dates cannot be read.
     Unread(String),
+}
+
+impl Dates {
+    pub(super) fn rate_source(&self) -> RateSource {
+        match self {
+            Dates::Agree(_) => RateSource::GivenAndDates,
+            Dates::None | Dates::Unread(_) => RateSource::Given,
+        }
+    }
+
+    pub(super) fn first(&self) -> Option<FirstDate> {
+        match self {
+            Dates::Agree(first) => first.map(FirstDate::of),
+            Dates::None | Dates::Unread(_) => None,
+        }
+    }
+
+    pub(super) fn unread(self) -> Option<String> {
+        match self {
+            Dates::Unread(column) => Some(column),
+            Dates::None | Dates::Agree(_) => None,
+        }
+    }
 }
 
 /// Compares the given rate with the first and the last date of a column that is not a channel.
@@ -71,7 +94,7 @@ pub(super) fn held_against(
         if let (true, Some(a), Some(b)) = (start.numeric[column], number(&first), number(&last))
             && (given_hz * (b - a) - steps).abs() <= 1.0 + RATE_TOLERANCE * steps
         {
-            return Ok(Dates::Agree); // seconds of the day, as large as days since 1900
+            return Ok(Dates::Agree(None)); // seconds of the day, as large as days since 1900
         }
         if !start.numeric[column] {
             refuse_gap(body, (start, column), given_hz)?;
@@ -94,7 +117,7 @@ pub(super) fn held_against(
                 dates_hz: steps / passed,
             });
         }
-        return Ok(Dates::Agree);
+        return Ok(Dates::Agree(Some(a).filter(|_| !is_of_hour)));
     }
     Ok(unread.map_or(Dates::None, Dates::Unread))
 }

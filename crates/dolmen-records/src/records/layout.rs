@@ -1,5 +1,6 @@
 //! Layouts of record files.
 
+use super::date_text::At;
 use super::{Decimal, Delimiter, FileUnit, RateSource, RecordFormat};
 use dolmen_words::message::Both;
 
@@ -14,6 +15,24 @@ pub enum Layout {
     Channels(ChannelsLayout),
     /// Several files.
     Stations(Vec<Layout>),
+}
+
+/// The date of the first sample of a file, by its column of dates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstDate {
+    /// s from 1 January 1970, or from midnight for a time without a date.
+    pub at_s: f64,
+    /// Value of its last digit, s.
+    pub resolution_s: f64,
+}
+
+impl FirstDate {
+    pub(super) fn of(at: At) -> Self {
+        FirstDate {
+            at_s: at.seconds,
+            resolution_s: at.resolution_s,
+        }
+    }
 }
 
 /// Layout of a CSV file.
@@ -33,6 +52,8 @@ pub struct CsvLayout {
     pub rate_source: RateSource,
     /// A column that looks like stamps or dates but cannot be read, so that nothing confirms the given rate.
     pub unread_stamps: Option<String>,
+    /// The date of its first sample, if a column of dates confirmed the given rate.
+    pub first_date: Option<FirstDate>,
     /// First and last line of text above the column names that was ignored.
     pub passed_over: Option<[usize; 2]>,
     /// Whether the text was in CP949 (EUC-KR), as Korean programs save it.

@@ -51,7 +51,7 @@ pub(crate) use date_text::{calendar_day, date_time};
 pub use dialect::{Decimal, Delimiter};
 pub use error::RecordError;
 pub use format::RecordFormat;
-pub use layout::{Axis, ChannelsLayout, CsvLayout, FoundChannel, Layout, NpyLayout};
+pub use layout::{Axis, ChannelsLayout, CsvLayout, FirstDate, FoundChannel, Layout, NpyLayout};
 pub use not_a_table::NotATable;
 pub use npy::read_npy;
 pub use options::{Column, Header, LostSamples, Pick, RecordOptions, TimeColumn};

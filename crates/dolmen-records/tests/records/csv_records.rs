@@ -154,6 +154,7 @@ fn exact_units_history_and_what_was_found_out() {
             time_column: Some("t".into()),
             rate_source: RateSource::Stamps,
             unread_stamps: None,
+            first_date: None,
             passed_over: None,
             is_cp949: false,
             names_unread: false,

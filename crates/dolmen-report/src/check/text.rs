@@ -161,7 +161,7 @@ fn variant_text(
         out += &document_text(&sampled::of_state(&variant.state), style);
         let notes = own.project.warnings.iter();
         for note in notes.filter(|note| !answer.project.warnings.contains(note)) {
-            out += &note_text(note, style);
+            out += &note_text(&own.project, note, style);
         }
     }
     out

@@ -1,7 +1,8 @@
 //! Runs of a paragraph: words, fields, and figures.
 
+use crate::lowered::{Stretch, stretches_of};
+use crate::paper::Ink;
 use crate::paper::xml::Xml;
-use crate::paper::{Ink, Stretch, stretches_of};
 
 /// Emphasis of a run; `lowered` is a subscript.
 fn look(ink: Ink, xml: &mut Xml, lowered: bool) {

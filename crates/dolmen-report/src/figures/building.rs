@@ -216,7 +216,7 @@ fn dampers(
 }
 
 fn place([x, y]: [f64; 2]) -> String {
-    format!("({}, {}) m", short(x), short(y))
+    format!("({}, {}) m", short(x), short(y)).replace('-', "−")
 }
 
 fn short(value: f64) -> String {

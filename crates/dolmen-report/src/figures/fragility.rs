@@ -1,7 +1,7 @@
 //! Fragility curves with their bands, and the observations.
 
 use super::axis::Axis;
-use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
+use super::ink::{BLUE, GREEN, Line, ORANGE, PURPLE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::study_drawing::{SIZE_PX, StudyDrawing, StudyFigure};
 use super::words::{Axes, Studied, Titles, say};
@@ -13,9 +13,15 @@ use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
 const POINTS: usize = 240;
 /// Number of combinations drawn; fragility.csv has all curves.
 const DRAWN_MOST: usize = 4;
-/// Colours of the states, the mildest first.
-const COLOURS: [&str; 4] = [GREEN, BLUE, ORANGE, VERMILLION];
-const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
+/// Colours of the states, the mildest first; the allowable drift of the file last.
+const COLOURS: [&str; 5] = [GREEN, BLUE, ORANGE, VERMILLION, PURPLE];
+const SHAPES: [Shape; 5] = [
+    Shape::Circle,
+    Shape::Diamond,
+    Shape::Square,
+    Shape::Triangle,
+    Shape::Circle,
+];
 
 /// One figure per combination of inputs, for the first ones.
 pub(super) fn fragility_figures(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
@@ -71,7 +77,7 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
         }
         plot.key(
             Key::Dot(SHAPES[state.state], colour),
-            answer.state_words(language)[state.state],
+            answer.state_words(state.state, language),
         );
     }
     let words = answer.combination_words(one.job);

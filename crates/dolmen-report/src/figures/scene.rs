@@ -1,6 +1,7 @@
 //! A small SVG drawing for figures with and without axes. Coordinates in px, y down.
 
 use super::ink::{Anchor, FONTS, Label, Line, Shape, TEXT};
+use crate::lowered::with_lowered;
 use dolmen_words::printed_label;
 use std::fmt::Write as _;
 
@@ -251,16 +252,14 @@ fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
     }
 }
 
-/// Sets subscripts: of k_cr and k_min, and of numbers, because Unicode subscripts are too small in Korean fonts.
+/// Sets subscripts: of symbols, and of numbers, because Unicode subscripts are too small in Korean fonts.
 fn with_subscripts(body: &str) -> String {
     let set = |below: &str| {
         format!(
             "<tspan dy=\"0.28em\" font-size=\"0.75em\">{below}</tspan><tspan dy=\"-0.21em\">\u{200b}</tspan>"
         )
     };
-    let body = body
-        .replace("k_cr", &format!("k{}", set("cr")))
-        .replace("k_min", &format!("k{}", set("min")));
+    let body = with_lowered(body, set);
     let mut written = String::with_capacity(body.len());
     let mut digits = String::new();
     for letter in body.chars().chain(['\n']) {

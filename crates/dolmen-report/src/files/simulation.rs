@@ -30,7 +30,9 @@ pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
     }
     match answer.simulations.as_slice() {
         [] => as_json!({ "simulations": [] }),
-        [Simulation::Frame(_), ..] | [Simulation::Chain(_), Simulation::Chain(_), ..] => {
+        [Simulation::Frame(_), ..]
+        | [Simulation::Chain(_), Simulation::Chain(_), ..]
+        | [Simulation::Settled(_), Simulation::Settled(_), ..] => {
             let each = answer.simulations.iter();
             let all: Vec<Value> = each.map(|run| simulation_value(run, answer)).collect();
             let after = after_first_json(answer);

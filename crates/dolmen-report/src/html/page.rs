@@ -8,6 +8,7 @@ use super::style::STYLE;
 use super::words::colour_class;
 use crate::document::{Block, Numbers, block_html, document_html, findings_html, numbered};
 use crate::engineer::{cover_rows, front, report_title};
+use crate::lowered::with_lowered;
 use crate::mark::GENERATOR;
 use crate::whole::{all_findings, whole_document};
 use dolmen_words::Language;
@@ -39,9 +40,7 @@ pub fn html(
     let page = whole(&title, language, &body);
     // the title contains no tags
     let (head, body) = page.split_at(page.find("<body>").unwrap_or(0));
-    let body = body
-        .replace("k_cr", "k<sub>cr</sub>")
-        .replace("k_min", "k<sub>min</sub>");
+    let body = with_lowered(body, |index| format!("<sub>{index}</sub>"));
     format!("{head}{body}")
 }
 

@@ -351,6 +351,7 @@ pub(crate) fn survey() -> ProjectReport {
             unit: String::new(),
             remarks: vec![],
             unread_stamps: vec![],
+            clock_doubts: vec![],
             faults: vec![],
             doubts: vec![],
             analysis,

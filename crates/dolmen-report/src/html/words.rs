@@ -316,6 +316,12 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "axial_force" => language.pick("axial force", "축력"),
         "width" => language.pick("width", "폭"),
         "depth" => language.pick("depth", "깊이"),
+        "post_width" => language.pick("width of a post", "기둥돌 폭"),
+        "post_height" => language.pick("height of a post", "기둥돌 높이"),
+        "lintel_height" => language.pick("height of the lintel", "인방돌 높이"),
+        "overhang" => language.pick("overhang of the lintel", "인방돌 내민 길이"),
+        "oculus" => language.pick("width of the oculus", "천창 지름"),
+        "drum_height" => language.pick("height of the drum", "드럼 높이"),
         "top_width" => language.pick("width at the top", "윗면 폭"),
         "top_depth" => language.pick("depth at the top", "윗면 깊이"),
         "diameter" => language.pick("diameter", "지름"),
@@ -392,6 +398,8 @@ mod tests {
         assert_eq!(of("blocks[2].width"), "1층탑신 폭");
         assert_eq!(of("blocks[9].width"), "블록 9 폭");
         assert_eq!(of("density"), "석재 밀도");
+        assert_eq!(of("trilithon.post_height"), "삼석문 기둥돌 높이");
+        assert_eq!(of("dome.oculus"), "돔 천창 지름");
         assert_eq!(
             input_words(&structure, "blocks[1].tilt.x", Language::English),
             "기단 tilt x"

@@ -1,8 +1,9 @@
 //! Paragraphs and their spans.
 
 use super::looks::{Letters, Lie, Looks, Style};
+use crate::lowered::{Stretch, stretches_of};
 use crate::paper::xml::Xml;
-use crate::paper::{Caption, Ink, Run, Stretch, stretches_of};
+use crate::paper::{Caption, Ink, Run};
 
 /// Hundredths of a point in a twentieth of one.
 pub(super) const HUNDREDTHS_OF_TWIP: usize = 5;

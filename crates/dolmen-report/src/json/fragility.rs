@@ -16,7 +16,7 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
     let each = answer.fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
             Ok(as_json!({
-                "state": answer.kind.states()[state.state],
+                "state": answer.kind.state(state.state),
                 "scans": state.scans(),
                 "scans_reached": state.reached(),
                 "scans_fell_by_themselves": state.fell_alone,
@@ -41,7 +41,7 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
         });
         let crossings = one.crossings().into_iter().map(|of| {
             as_json!({
-                "states": [answer.kind.states()[of.milder], answer.kind.states()[of.worse]],
+                "states": [answer.kind.state(of.milder), answer.kind.state(of.worse)],
                 "peak_acceleration_m_s2": of.at.intensity, "probability": of.at.probability,
                 "worse_state_likelier": match of.likelier_is_worse {
                     CrossingSide::Below => "below",
@@ -80,7 +80,7 @@ pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
             )
         });
         as_json!({
-            "state": answer.kind.states()[row.state],
+            "state": answer.kind.state(row.state),
             "combinations": row.combinations,
             "measures": measures.collect::<Map<_, _>>(),
         })
@@ -103,7 +103,7 @@ pub(super) fn sufficiency_json(answer: &StudyAnswer) -> Vec<Value> {
             each.collect::<Map<_, _>>()
         });
         as_json!({
-            "state": answer.kind.states()[own.state],
+            "state": answer.kind.state(own.state),
             "against": own.predictor.key(),
             "measures": by_measure.as_ref().ok(),
             "why_not": by_measure.err().map(|why| why.to_string()),
@@ -120,7 +120,7 @@ pub(super) fn joints_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessErro
     let joints = answer.joint_fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
             Ok(as_json!({
-                "state": answer.kind.states()[state.state],
+                "state": answer.kind.state(state.state),
                 "median_above_m_s2": state.median_between[0],
                 "median_at_most_m_s2": state.median_between[1],
                 "by_peak_acceleration_m_s2": match state.fit { Some(fit) => fit_json(&Ok(fit))?, None => Value::Null },

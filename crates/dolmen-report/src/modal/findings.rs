@@ -108,6 +108,10 @@ messages! {
             en: "Record {file}: column \"{column}\" could not be read as times, so nothing in the file confirms the sampling rate given. If that is wrong, every frequency is wrong by the same factor.",
             ko: "기록 {file}: \"{column}\" 열을 시각으로 읽지 못해, 입력한 샘플링 주파수를 확인할 자료가 파일에 없다. 그 값이 틀리면 모든 진동수가 같은 비율로 틀린다.",
         },
+        ClocksDiffer { first: String, second: String, dates: Quantity, given: Quantity } => {
+            en: "By the dates in the files, {second} begins {dates} after {first}; by the project file, {given} after it. A wrong start turns the shapes across the two files, and their signs: give each file the begins of its first date, unless its clock was wrong.",
+            ko: "파일의 시각으로는 {second}이(가) {first}보다 {dates} 늦게 시작하지만 프로젝트 파일에는 {given} 늦게 시작하는 것으로 되어 있다. 시작 시각이 틀리면 두 파일에 걸친 모드형상과 그 부호가 틀린다. 기록계의 시계가 틀린 것이 아니면 각 파일의 begins에 첫 시각을 입력한다.",
+        },
         Still { channel: String, share: Quantity } => {
             en: "PROBABLY A SLIP: {channel} moves by less than {share} % of the largest in every mode. If it does not stand on firm ground, is it connected, and in the same unit as the others (g read as gal is 981 times too small, m/s² as mm/s² 1000 times)?",
             ko: "입력 오류 의심: {channel}은(는) 모든 모드에서 최대 성분의 {share} % 미만으로 움직인다. 단단한 지반 위의 센서가 아니라면, 연결되어 있고 단위가 다른 채널과 같은가(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배 작다)?",
@@ -387,6 +391,16 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
         let found = Found::Unconfirmed {
             file: record.file.clone(),
             column: column.clone(),
+        };
+        Finding::key(Tone::Warn, found)
+    }));
+    all.extend(record.clock_doubts.iter().map(|doubt| {
+        let seconds = |value_s| Quantity::new(value_s, Unit::si("s"), Digits::Trimmed(6));
+        let found = Found::ClocksDiffer {
+            first: doubt.first.clone(),
+            second: doubt.second.clone(),
+            dates: seconds(doubt.by_dates_s),
+            given: seconds(doubt.as_given_s),
         };
         Finding::key(Tone::Warn, found)
     }));

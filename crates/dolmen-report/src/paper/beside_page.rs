@@ -1,7 +1,7 @@
 //! Compares the paragraphs of a document with the page of the same answer, for tests of every format.
 
-use super::ink::LOWERED;
 use crate::document::{Numbers, document_html};
+use crate::lowered::with_lowered;
 use crate::typeset::tests::inside;
 use crate::whole::whole_document;
 use dolmen_words::Language;
@@ -29,7 +29,5 @@ pub(crate) fn holds_the_page(there: &[String], answer: &ProjectReport, language:
 
 /// The text with its symbols as on paper, the second part lowered.
 fn lowered(words: &str) -> String {
-    LOWERED.iter().fold(words.to_owned(), |words, symbol| {
-        words.replace(symbol, &symbol.replace('_', ""))
-    })
+    with_lowered(words, str::to_owned)
 }

@@ -24,7 +24,7 @@ use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 pub use fault::PaperFault;
 pub(crate) use grid::{Grid, Shown, WHOLE_ROWS, line_count, text_size, widths};
-pub(crate) use ink::{BAD, BAD_WASH, HAIR, INK, Ink, QUIET, Stretch, TEXT_WIDTH, TWIPS, stretches_of, tone};
+pub(crate) use ink::{BAD, BAD_WASH, HAIR, INK, Ink, QUIET, TEXT_WIDTH, TWIPS, tone};
 pub(crate) use media::{Media, Picture};
 pub(crate) use piece::{Caption, Heading, Paragraph, Piece, Role, Run, Shade};
 

@@ -14,6 +14,14 @@ messages! {
     /// Loose stones.
     pub(crate) enum Settled in "stack-simulation.settled" {
         Head => { en: "Loose stones come to rest", ko: "돌무더기의 안착" },
+        HeadOfVariant { variant: String } => {
+            en: "Loose stones come to rest: variant “{variant}”",
+            ko: "돌무더기의 안착: 대안 ‘{variant}’",
+        },
+        OfVariant { variant: String, said: Sentence } => {
+            en: "Variant “{variant}”: {said}",
+            ko: "대안 ‘{variant}’: {said}",
+        },
         Springs { ending: Sentence } => { en: "With springs between the stones {ending}", ko: "접촉 스프링 해석: {ending}" },
         Rigid { ending: Sentence } => { en: "With rigid stones {ending}", ko: "강체 접촉 해석: {ending}" },
         Rests { count: usize, block: String, moved: Quantity, turned: Quantity } => {
@@ -96,7 +104,10 @@ pub fn settled_text(of: &SettledSimulation, style: TextStyle) -> String {
 
 pub(crate) fn sections(of: &SettledSimulation) -> Document<'_> {
     let mut document = Document::default();
-    document.heading(Settled::Head);
+    document.heading(match of.variant.clone() {
+        Some(variant) => Settled::HeadOfVariant { variant },
+        None => Settled::Head,
+    });
     if !of.runs.is_empty() {
         let caption = vec![Settled::Drawn.into(), Settled::DrawnMeaning.into()];
         let drawn = Figure::drawn(caption, |language| stack_settled(of, language));
@@ -108,6 +119,21 @@ pub(crate) fn sections(of: &SettledSimulation) -> Document<'_> {
 }
 
 pub(crate) fn findings(of: &SettledSimulation) -> Vec<Finding> {
+    let all = findings_of_version(of).into_iter();
+    let Some(variant) = &of.variant else {
+        return all.collect();
+    };
+    let named = all.map(|finding| {
+        let (variant, said) = (variant.clone(), finding.sentence);
+        Finding {
+            sentence: Settled::OfVariant { variant, said }.into(),
+            ..finding
+        }
+    });
+    named.collect()
+}
+
+fn findings_of_version(of: &SettledSimulation) -> Vec<Finding> {
     let mut all: Vec<Finding> = Vec::new();
     for run in &of.runs {
         let ending = ending(of, &run.settled);

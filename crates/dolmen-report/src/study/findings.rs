@@ -6,7 +6,9 @@ use crate::document::{Finding, Tone};
 use dolmen::assess::Reached;
 use dolmen::numeric::clopper_pearson;
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::study::{CapacityOf, LevelRow, ScanVerdict, StateFragility, StudyAnswer, StudyKind};
+use dolmen_work::study::{
+    ALLOWED_DRIFT, CapacityOf, LevelRow, ScanVerdict, StateFragility, StudyAnswer, StudyKind, YEARS,
+};
 use std::collections::BTreeSet;
 
 messages! {
@@ -68,6 +70,14 @@ messages! {
         DriftWithin { scans: Sentence, limit: Quantity, largest: Quantity } => {
             en: "None of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), up to {largest}.",
             ko: "{scans} 모두 {largest}까지 파일에서 정한 허용 층간변위 {limit}([limits]) 이내이다.",
+        },
+        DriftCurve { theta: Quantity, beta: Quantity } => {
+            en: "By the curve fitted to them (lognormal) half exceed it at {theta}, scatter of the logarithm β = {beta}.",
+            ko: "적합한 대수정규 취약도 곡선에서 허용 층간변위를 넘는 중앙값은 {theta}, 대수 표준편차는 β = {beta}이다.",
+        },
+        DriftRisk { curve: Sentence, rate: Quantity, years: Quantity, share: Quantity } => {
+            en: "{curve} With the hazard of the site: {rate} a year, {share} in {years} years.",
+            ko: "{curve} 부지의 재해도로 계산하면 연간 초과율은 {rate}, {years}년 확률은 {share}이다.",
         },
         FirstBeyond { before: usize, limit: Quantity } => {
             en: "In {before} scans more the motion before drifts beyond the allowable {limit} by itself.",
@@ -218,12 +228,40 @@ fn allowed_drift(answer: &StudyAnswer) -> Vec<Finding> {
         false => said.into(),
     };
     let mut all = vec![Finding::key(tone, said)];
+    all.extend(allowed_drift_curve(answer).map(|said| Finding::key(Tone::Plain, said)));
     if found.before > 0 {
         let limit = Quantity::percent(found.limit, 3);
         let before = found.before;
         all.push(Finding::key(Tone::Warn, Found::FirstBeyond { before, limit }));
     }
     all
+}
+
+/// The curve of the allowable drift and its risk, for a single combination.
+fn allowed_drift_curve(answer: &StudyAnswer) -> Option<Sentence> {
+    let [one] = answer.fragilities() else {
+        return None;
+    };
+    let own = one.states.iter().find(|own| own.state == ALLOWED_DRIFT)?;
+    let fit = own
+        .by_acceleration
+        .as_ref()
+        .ok()
+        .filter(|_| own.fell_alone == 0)?;
+    let curve = Found::DriftCurve {
+        theta: g(answer, fit.curve.theta()),
+        beta: Quantity::ratio(fit.curve.beta(), 2),
+    };
+    Some(match own.annual_rate().zip(own.probability_in_years()) {
+        None => curve.into(),
+        Some((rate, share)) => Found::DriftRisk {
+            curve: curve.into(),
+            rate: Quantity::ratio(rate, 2),
+            years: Quantity::ratio(YEARS, 2),
+            share: Quantity::percent(share, 2),
+        }
+        .into(),
+    })
 }
 
 /// Number of scans that fall without shaking.
@@ -326,7 +364,8 @@ fn median(answer: &StudyAnswer) -> Option<Finding> {
     let [one] = answer.fragilities() else {
         return None;
     };
-    let mut worst = one.states.iter().rev();
+    let states = one.states.iter().filter(|own| own.state != ALLOWED_DRIFT);
+    let mut worst = states.rev();
     let (own, fit) = worst.find_map(|own| Some((own, own.by_acceleration.as_ref().ok()?)))?;
     let of = own.state;
     let (name, theta) = (state(answer, of), g(answer, fit.curve.theta()));

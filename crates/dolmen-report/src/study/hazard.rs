@@ -4,7 +4,7 @@ use super::words::{g, state};
 use crate::document::{Block, Document};
 use dolmen_project::HazardSource;
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::study::{StudyAnswer, YEARS};
+use dolmen_work::study::{ALLOWED_DRIFT, StudyAnswer, YEARS};
 
 /// Smallest share of a rate from beyond the points of the hazard that is reported. Our choice.
 const BEYOND_SAID: f64 = 0.1;
@@ -83,6 +83,6 @@ pub(super) fn extrapolated(answer: &StudyAnswer) -> Option<Hazard> {
         };
         (most > BEYOND_SAID).then(|| said.into())
     };
-    let shares: Vec<Sentence> = (0..answer.kind.states().len()).filter_map(share).collect();
+    let shares: Vec<Sentence> = (0..=ALLOWED_DRIFT).filter_map(share).collect();
     (!shares.is_empty()).then_some(Hazard::Extrapolated { shares })
 }

@@ -127,7 +127,7 @@ pub(super) fn bounded(sign: &str, value: &Quantity) -> Sentence {
 
 /// Name of a state.
 pub(super) fn state(answer: &StudyAnswer, state: usize) -> Sentence {
-    both(|language| answer.state_words(language)[state].to_owned())
+    both(|language| answer.state_words(state, language))
 }
 
 /// The inputs of a scan, in the shortest form that distinguishes it.

@@ -83,9 +83,9 @@ messages! {
             en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
             ko: "이 밖에 {least} 이상의 계단형 변화가 있었다면 80 % 확률로 검출되었을 것이다(가장 불리한 모드 {frequency}).",
         },
-        Worked { date: String, frequency: Quantity, by: Quantity, half: Quantity } => {
-            en: "With the repair of {date} {frequency} changed by {by} ± {half}.",
-            ko: "{date} 보수 전후로 {frequency} 모드는 {by} ± {half} 변하였다.",
+        Worked { date: String, frequency: Quantity, sign: String, by: Quantity, half: Quantity } => {
+            en: "With the repair of {date} {frequency} changed by {sign}{by} ± {half}.",
+            ko: "{date} 보수 전후로 {frequency} 모드는 {sign}{by} ± {half} 변하였다.",
         },
         SensorOrStructure { survey: String, cause: Sentence } => {
             en: "Shapes and frequencies jumped on {survey}{cause}: a sensor that was moved or turned changes shapes alone, so look at both, the sensors and the structure.",
@@ -481,6 +481,7 @@ fn works(answer: &WatchAnswer) -> Vec<Finding> {
             let said = Found::Worked {
                 date,
                 frequency: hertz(mode.track.frequency_hz),
+                sign: if effect.ratio > 0.0 { "+" } else { "" }.to_owned(),
                 by: bare_percent(effect.ratio, 2),
                 half: percent(HALF_95 * effect.sd, 2),
             };

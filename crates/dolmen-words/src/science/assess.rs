@@ -3,6 +3,7 @@
 use super::fragility::no_fragility;
 use super::phrase::phrase;
 use crate::errors::korean_of;
+use crate::number::trimmed;
 use dolmen::assess::AssessError;
 use dolmen::comparisons::ValidationError;
 use dolmen::monitoring::MonitoringError;
@@ -11,8 +12,8 @@ korean_of! {
     AssessError {
         AssessError::NothingToCompare { survey } => "{survey} 조사에 모드가 없어 비교할 것이 없다";
         AssessError::TemperatureFit { surveys, least, spread_c, spread_least_c } => "온도가 있는 조사가 {surveys}개이고 온도 차가 {spread_c} °C인데, 계수를 구하려면 {least}개와 {spread_least_c} °C가 필요하다. 다른 계절에 계측하거나 계수를 입력한다";
-        AssessError::Factor { factor, given, allowed } => "{factor}이(가) {given}인데 {allowed}이어야 한다", factor = phrase(factor), allowed = phrase(allowed);
-        AssessError::OutsideTraining { factor, given, least, most } => "{factor}이(가) {given}인데 점수는 {least}~{most}에서 학습되었다. 이 석탑을 해석하거나, 범위 밖의 값임을 표시하는 외삽을 허용한다", factor = phrase(factor);
+        AssessError::Factor { factor, given, allowed } => "{factor}이(가) {given}인데 {allowed}이어야 한다", factor = phrase(factor), given = trimmed(*given, 4), allowed = phrase(allowed);
+        AssessError::OutsideTraining { factor, given, least, most } => "{factor}이(가) {given}인데 점수는 {least}~{most}에서 학습되었다. 이 석탑을 해석하거나, 범위 밖의 값임을 표시하는 외삽을 허용한다", factor = phrase(factor), given = trimmed(*given, 4), least = trimmed(*least, 4), most = trimmed(*most, 4);
         AssessError::NothingToRank { candidates, draws } => "구조물이 {candidates}개, 추출이 {draws}번인데 순위를 매기려면 구조물 1개, 추출 20번 이상이어야 한다";
         AssessError::TooFewDesigns { given, least } => "설계가 {given}개인데 점수에는 {least}개 이상이 필요하다. 더 해석한다";
         AssessError::SiteSpecific => "지반분류 S6은 부지 고유의 지반이라 기준에 계수가 없다. 부지를 조사해 그 스펙트럼을 표로 입력한다";
@@ -67,4 +68,25 @@ korean_of! {
     handed on ValidationError::Monitoring(why) => why;
     handed on ValidationError::Damper(why) => why;
     handed on ValidationError::Assess(why) => why;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Language, Sentence};
+
+    #[test]
+    fn exact_numbers_of_a_refused_factor_have_four_digits_and_its_name_is_korean() {
+        let why = AssessError::OutsideTraining {
+            factor: "slenderness_angle",
+            given: 4.1894499314465445,
+            least: 0.20416212657654595,
+            most: 0.45686259777113364,
+        };
+        let said = Sentence::of_argument(&why).text(Language::Korean);
+        assert!(
+            said.starts_with("세장각이 4.189인데 점수는 0.2042~0.4569에서 학습되었다."),
+            "{said}"
+        );
+    }
 }

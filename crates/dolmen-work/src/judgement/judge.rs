@@ -176,7 +176,10 @@ impl Judgement {
                     .or(version.tilt_left_out.take());
             }
             version.tilt_left_out = version.tilt_left_out.take().or_else(|| of.tilt_left_out.clone());
-            version.leans = leaning(run).or(version.leans.take());
+            // a run that starts plumb lacks the tilt that the check counts
+            let of_check = version.leans.take();
+            let left_out = version.tilt_left_out.as_ref().map(|of| &of.survey);
+            version.leans = leaning(run).or(of_check.filter(|of| Some(&of.survey) != left_out));
             version.is_undamped |= run.is_undamped();
             if !of.damage.is_empty() {
                 version.damage.clone_from(&of.damage);

@@ -269,7 +269,8 @@ pub(super) fn version(
         // its beds are compared with its tilt if their widths are known
         Check::Chain(_) => match &project.structure {
             Structure::Chain(part) if state.tilts.iter().any(|tilt| tilt.uplift_tilt.is_some()) => {
-                part.lean.as_ref().map(of_chain_lean)
+                let lean = part.lean.as_ref().map(of_chain_lean);
+                lean.or_else(|| counted_tilt(project, state).filter(|_| !part.takes_no_tilt))
             }
             _ => None,
         },
@@ -354,6 +355,16 @@ fn of_chain_lean(lean: &ChainLean) -> Leaning {
         survey: lean.survey.clone(),
         tilt: lean.written.clone(),
     }
+}
+
+/// The tilt of a chain that its beds are compared with, also of a survey without a date, which leans no model.
+fn counted_tilt(project: &Project, state: &State) -> Option<Leaning> {
+    let survey = &state.tilts.first()?.survey;
+    let survey = project.surveys.iter().find(|own| own.name == *survey)?;
+    Some(Leaning {
+        survey: survey.name.clone(),
+        tilt: TiltLeftOut::written(survey),
+    })
 }
 
 fn of_frame_lean(lean: &FrameLean) -> Leaning {

@@ -21,6 +21,7 @@ pub use doubt::MotionDoubt;
 pub use error::MotionRequestError;
 pub use measured::{MadeMotion, MotionOptions, MotionShape, motion};
 pub use measured_response::{MeasuredChannel, MeasuredResponse};
+pub use prepare::is_built_in_motion;
 pub(crate) use prepare::prepared;
 pub use request::{GivenFile, MotionRequest};
 pub(crate) use sequence::{in_sequence, refuse_other_components};

@@ -24,6 +24,11 @@ const CARRIED: [(&str, &str, &[u8]); 1] = [(
     include_bytes!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv"),
 )];
 
+/// Whether this is the name of a built-in motion.
+pub fn is_built_in_motion(name: &str) -> bool {
+    CARRIED.iter().any(|(own, ..)| *own == name)
+}
+
 /// Largest peak of an acting motion, g. Our choice: more than twice the 4.1 g of Ichinoseki on 14 June 2008 (Aoi, Kunugi and Fujiwara, Science
 /// 322, 2008), the largest ever recorded.
 const ACTS_MOST_G: f64 = 10.0;

@@ -215,12 +215,12 @@ pub fn read_portfolio_sheet(
                 .any(|cell| cell.value != SheetValue::Empty)
         {
             let why = given.missing(RowLacks::Heads);
-            refused.push((given.name.clone(), why));
+            refused.push((given.shown_name(), why));
             continue;
         }
         match given.row() {
             Ok(row) => rows.push(row),
-            Err(why) => refused.push((given.name.clone(), why)),
+            Err(why) => refused.push((given.shown_name(), why)),
         }
     }
     refuse_twice(&rows)?;
@@ -310,10 +310,18 @@ impl Cells<'_> {
         })
     }
 
+    /// The name, or a dash for a row without one.
+    fn shown_name(&self) -> String {
+        match self.name.is_empty() {
+            true => "–".to_owned(),
+            false => self.name.clone(),
+        }
+    }
+
     fn missing(&self, what: RowLacks) -> PortfolioError {
         PortfolioError::Missing {
             line: self.line,
-            name: self.name.clone(),
+            name: self.shown_name(),
             what: what.into(),
         }
     }

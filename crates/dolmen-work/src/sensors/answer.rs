@@ -9,7 +9,7 @@ use std::sync::Arc;
 pub struct PlannedMode {
     /// Frequency of the model, Hz; `None` where only the shape is known.
     pub frequency_hz: Option<f64>,
-    /// The direction of a frame; `None` for other kinds.
+    /// The direction of a frame, or of a chain with two; `None` for other kinds.
     pub direction: Option<String>,
     /// Shares of its kinetic energy in motion along x, y and z; the rest is rotation. `None` for a mode in a plane.
     pub along: Option<[f64; 3]>,

@@ -57,44 +57,58 @@ fn part_name(name: Option<&String>, index: usize) -> String {
     name.cloned().unwrap_or_else(|| (index + 1).to_string())
 }
 
-/// The tops of the links, in the direction of motion; loads on the chain move with it.
+/// The tops of the links, in each direction of the chain; loads on it move with it.
 fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<PlacementData, WorkError> {
-    let chain = part.build_loaded(ChainAxis::Along, loads, &mut Quantity::nominal)?;
-    let given = part.stiffness_n_m_rad(&mut Quantity::nominal);
-    let of = if given.is_some() {
-        SensorsOf::Given
-    } else {
-        SensorsOf::EqualJoints
+    let given = |axis| part.stiffness_towards(axis, &mut Quantity::nominal);
+    let of = match given(ChainAxis::Along) {
+        Some(_) => SensorsOf::Given,
+        None => SensorsOf::EqualJoints,
     };
-    let stiffness = match given {
-        Some(stiffness) => stiffness,
-        None => vec![2.0 * chain_limits(&chain)?.equal_joints_n_m_rad; part.links.len()],
-    };
-    let all: Vec<NaturalMode> = standing(chain.natural_modes(&stiffness)?)?;
-    let modes: Vec<&NaturalMode> = all.iter().take(wanted).collect();
+    let mut all: Vec<DirectionMode> = Vec::new();
+    for (direction, axis) in part.axes().iter().enumerate() {
+        let chain = part.build_loaded(*axis, loads, &mut Quantity::nominal)?;
+        let stiffness = match given(*axis) {
+            Some(stiffness) => stiffness,
+            None => vec![2.0 * chain_limits(&chain)?.equal_joints_n_m_rad; part.links.len()],
+        };
+        let modes = standing(chain.natural_modes(&stiffness)?)?
+            .into_iter()
+            .enumerate();
+        all.extend(modes.map(|(order, mode)| DirectionMode {
+            direction,
+            order,
+            mode,
+            is_frequency_known: of == SensorsOf::Given,
+        }));
+    }
+    keep_lowest(&mut all, wanted, of);
     let mut height = 0.0;
     let candidates = part.links.iter().enumerate().map(|(at, link)| {
         height += link.length.value;
+        let channel = |(direction, axis): (usize, &ChainAxis)| {
+            let axis = match part.has_two_axes() {
+                true => Axis::Named(axis.name().to_owned()),
+                false => Axis::InPlane,
+            };
+            (axis, along(&all, direction, at))
+        };
         CandidatePlace {
             part: part_name(link.name.as_ref(), at),
             side: Side::Top,
             position_m: [0.0, 0.0, height],
-            channels: vec![(
-                Axis::InPlane,
-                modes.iter().map(|mode| mode.displacement[at]).collect(),
-            )],
+            channels: part.axes().iter().enumerate().map(channel).collect(),
         }
     });
     let candidates: Vec<CandidatePlace> = candidates.collect();
-    let known = |mode: &&NaturalMode| (of == SensorsOf::Given).then_some(mode.frequency_hz);
-    let modes = modes
-        .iter()
-        .map(|mode| planned(known(mode), None, None))
-        .collect();
-    Ok((modes, candidates, of))
+    let modes = all.iter().map(|of| {
+        let axis = part.axes().get(of.direction).filter(|_| part.has_two_axes());
+        let known = of.is_frequency_known.then_some(of.mode.frequency_hz);
+        planned(known, axis.map(|axis| axis.name().to_owned()), None)
+    });
+    Ok((modes.collect(), candidates, of))
 }
 
-/// A mode of a frame in one of its directions.
+/// A mode of a chain or frame in one of its directions.
 struct DirectionMode {
     /// Number of the direction, from 0.
     direction: usize,
@@ -102,6 +116,24 @@ struct DirectionMode {
     order: usize,
     mode: NaturalMode,
     is_frequency_known: bool,
+}
+
+/// Keeps the lowest modes; without known frequencies the first mode of every direction comes before the second of any.
+fn keep_lowest(all: &mut Vec<DirectionMode>, wanted: usize, of: SensorsOf) {
+    match of {
+        SensorsOf::Given => all.sort_by(|a, b| a.mode.frequency_hz.total_cmp(&b.mode.frequency_hz)),
+        SensorsOf::EqualJoints | SensorsOf::EqualStoreys => all.sort_by_key(|of| (of.order, of.direction)),
+    }
+    all.truncate(wanted);
+}
+
+/// The displacement at a level along a direction in each mode.
+fn along(all: &[DirectionMode], direction: usize, at: usize) -> Vec<f64> {
+    let each = all.iter().map(|of| match of.direction == direction {
+        true => of.mode.displacement[at],
+        false => 0.0,
+    });
+    each.collect()
 }
 
 /// The levels, along each direction.
@@ -127,22 +159,11 @@ fn frame(part: &FramePart, wanted: usize) -> Result<PlacementData, WorkError> {
             is_frequency_known,
         }));
     }
-    match of {
-        SensorsOf::Given => all.sort_by(|a, b| a.mode.frequency_hz.total_cmp(&b.mode.frequency_hz)),
-        // the first mode of every direction before the second of any
-        SensorsOf::EqualJoints | SensorsOf::EqualStoreys => all.sort_by_key(|of| (of.order, of.direction)),
-    }
-    all.truncate(wanted);
+    keep_lowest(&mut all, wanted, of);
     let mut height = 0.0;
     let candidates = part.storeys.iter().enumerate().map(|(at, storey)| {
         height += storey.height.value;
-        let along = |number: usize| {
-            all.iter().map(move |of| match of.direction == number {
-                true => of.mode.displacement[at],
-                false => 0.0,
-            })
-        };
-        let channel = |(number, name): (usize, String)| (Axis::Named(name), along(number).collect());
+        let channel = |(number, name): (usize, String)| (Axis::Named(name), along(&all, number, at));
         let names = part.directions.iter().map(|direction| direction.name.clone());
         CandidatePlace {
             part: part_name(storey.name.as_ref(), at),

@@ -6,6 +6,7 @@ fn example(name: &str) -> Opened {
         "twisting_floor" => include_str!("../../../../examples/twisting_floor/project.toml"),
         "wall" => include_str!("../../../../examples/wall/project.toml"),
         "three_storey_pagoda" => include_str!("../../../../examples/three_storey_pagoda/project.toml"),
+        "two_directions" => include_str!("../../../../examples/naju_flagpole/two_directions.toml"),
         "naju_flagpole" => include_str!("../../../../examples/naju_flagpole/project.toml"),
         other => panic!("no example {other}"),
     };
@@ -217,4 +218,50 @@ fn refuses_counts_that_do_not_go_together() {
 
 fn of_survey() -> Opened {
     of("schema = 1\nkind = \"survey\"\nname = \"s\"\n[survey.\"2026\"]\nfrequencies = { x = [4.6] }\n")
+}
+
+/// A pole on oblong beds moves in two planes: its modes are those of both, computed one by one.
+#[test]
+fn agrees_a_chain_with_two_directions_is_planned_in_both() {
+    let opened = example("two_directions");
+    let dolmen_project::Structure::Chain(part) = &opened.project.structure else {
+        unreachable!("it is a chain")
+    };
+    let frequencies = |axis: dolmen_project::ChainAxis| -> Vec<(f64, String)> {
+        let pick = &mut dolmen_project::Quantity::nominal;
+        let chain = part.build_loaded(axis, &opened.project.loads, pick).unwrap();
+        let stiffness = part.stiffness_towards(axis, pick).unwrap();
+        let modes = chain.natural_modes(&stiffness).unwrap().into_iter();
+        modes
+            .map(|mode| (mode.frequency_hz, axis.name().to_owned()))
+            .collect()
+    };
+    let mut exact: Vec<(f64, String)> = part.axes().iter().flat_map(|axis| frequencies(*axis)).collect();
+    exact.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let answer = plan(&opened, 4);
+    let found: Vec<(f64, String)> = answer
+        .modes
+        .iter()
+        .map(|mode| (mode.frequency_hz.unwrap(), mode.direction.clone().unwrap()))
+        .collect();
+    assert_eq!(found, exact[..found.len()]);
+    let axes: std::collections::BTreeSet<&str> = answer
+        .sensors
+        .iter()
+        .filter_map(|sensor| sensor.site.axes[0].key())
+        .collect();
+    assert_eq!(axes.into_iter().collect::<Vec<_>>(), ["x", "y"]);
+    // two sensors of two axes each see every mode
+    let options = SensorsOptions {
+        count: Some(2),
+        axes: 2,
+        ..SensorsOptions::default()
+    };
+    assert!(
+        sensors(&opened, &options)
+            .unwrap()
+            .modes
+            .iter()
+            .all(|mode| !mode.is_hardly_seen())
+    );
 }

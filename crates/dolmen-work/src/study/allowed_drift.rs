@@ -2,7 +2,9 @@
 
 use super::answer::StudyAnswer;
 use super::measures::RunMeasures;
-use super::run::Run;
+use super::run::{Run, RunOutcome};
+use super::scans::{ALLOWED_DRIFT, CapacityOf, RunInformation, first_seen};
+use dolmen::assess::{Reached, Trial};
 use std::collections::BTreeSet;
 
 /// Comparison of scans with the allowable drift of a storey.
@@ -41,22 +43,60 @@ fn lean(run: &Run) -> f64 {
     }
 }
 
+/// The drift ratio of a run; infinite for a frame that leans by [`DRIFT_RATIO_MOST`](dolmen::assess::demand::DRIFT_RATIO_MOST), where its run
+/// ends and no limit of a file is larger.
+fn drift_of(run: &Run) -> Option<f64> {
+    match run.measures {
+        RunMeasures::Frame(_) if run.outcome == RunOutcome::Fell => Some(f64::INFINITY),
+        _ => drift(&run.measures),
+    }
+}
+
+fn is_beyond(drift: f64, limit: f64) -> bool {
+    drift > limit || drift.is_nan()
+}
+
+impl CapacityOf {
+    /// With the peak at which the allowable drift of the file is first exceeded.
+    pub(super) fn with_allowed_drift(mut self, runs: &[Run], limit: f64) -> Self {
+        let runs = runs.iter().filter(|run| run.scale > 0.0);
+        let each = runs.filter_map(|run| {
+            let seen = match (is_beyond(drift_of(run)?, limit), run.outcome.trial()) {
+                (true, _) => RunInformation::Reached,
+                (false, Trial::Unknown) => RunInformation::Unknown,
+                (false, Trial::Fell | Trial::Survived) => RunInformation::NotReached,
+            };
+            Some((run.peak_ground_acceleration_m_s2, seen))
+        });
+        let each: Vec<(f64, RunInformation)> = each.collect();
+        let beyond = each.iter().filter(|(_, seen)| *seen == RunInformation::Reached);
+        let least = beyond.map(|(peak, _)| *peak).reduce(f64::min);
+        if let (Some(first), Some(least)) = (&mut self.first_m_s2, least) {
+            first[ALLOWED_DRIFT] = Reached::At(least);
+        }
+        self.seen_m_s2[ALLOWED_DRIFT] = first_seen(each.into_iter());
+        self
+    }
+}
+
 impl StudyAnswer {
+    /// Cases in which the earlier motion already exceeds the allowable drift.
+    pub(super) fn cases_beyond_before(&self, limit: f64) -> BTreeSet<usize> {
+        let states = self.before.iter();
+        let beyond = states.filter(|state| drift(&state.measures).is_some_and(|of| is_beyond(of, limit)));
+        beyond.map(|state| state.case).collect()
+    }
+
     /// Compares the scans with the allowable drift of the file; `None` if it gives none, varies it, or nothing was run.
     pub fn allowed_drift(&self) -> Option<AllowedDrift> {
         let limit = self.drift_limit?;
-        let is_beyond = |drift: f64| drift > limit || drift.is_nan();
-        let beyond_before: BTreeSet<usize> = self
-            .before
-            .iter()
-            .filter(|state| drift(&state.measures).is_some_and(is_beyond))
-            .map(|state| state.case)
-            .collect();
+        let is_beyond = |drift: f64| is_beyond(drift, limit);
+        let beyond_before = self.cases_beyond_before(limit);
         let is_beyond_before = |run: &Run| beyond_before.contains(&self.case_of(run.job));
         let all: Vec<(&Run, f64)> = self
             .runs
             .iter()
-            .filter_map(|run| Some((run, drift(&run.measures)?)))
+            .filter_map(|run| Some((run, drift_of(run)?)))
             .collect();
         let (before, known): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_beyond_before(one.0));
         let before: BTreeSet<usize> = before.iter().map(|one| one.0.job).collect();

@@ -219,13 +219,21 @@ impl StudyAnswer {
     /// Results of each scan, by job, including unusable ones.
     pub fn capacities(&self) -> Vec<CapacityOf> {
         let mut scans = self.runs.chunk_by(|a, b| a.job == b.job).peekable();
+        let beyond_before = self.drift_limit.map(|limit| self.cases_beyond_before(limit));
+        let beyond_before = beyond_before.unwrap_or_default();
+        let [a, b, c, d] = self.study.drift_limits;
+        let limits = [a, b, c, d, self.drift_limit.unwrap_or(f64::INFINITY)];
         let each = (0..self.jobs()).map(|job| {
             let runs = scans.next_if(|runs| runs.first().is_some_and(|run| run.job == job));
             let is_whole = self.missing.binary_search(&job).is_err();
             let runs = runs.unwrap_or_default();
-            let found = capacity_of(job, runs, is_whole);
+            let mut found = capacity_of(job, runs, is_whole);
+            let is_counted = is_whole && !beyond_before.contains(&self.case_of(job));
+            if let Some(limit) = self.drift_limit.filter(|_| is_counted) {
+                found = found.with_allowed_drift(runs, limit);
+            }
             match self.kind {
-                StudyKind::Building => found.in_proportion(runs, &self.study.drift_limits),
+                StudyKind::Building => found.in_proportion(runs, limits),
                 StudyKind::Stack | StudyKind::Frame | StudyKind::Chain => found,
             }
         });

@@ -1,5 +1,6 @@
 //! The fragility of one combination of inputs: the curve of each damage state, over each measure of shaking.
 
+use super::scans::ALLOWED_DRIFT;
 use super::shaking_measure::ShakingMeasure;
 use dolmen::assess::{
     AnnualRisk, AssessError, Crossing, FragilityBand, FragilityFit, Observation, ScatterSplit,
@@ -36,7 +37,7 @@ pub struct MeasureFit {
 /// The curve of one state of one combination of inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateFragility {
-    /// The state, 0 to 3: DS1 to DS3, fall.
+    /// The state: 0 to 3 for DS1 to DS3 and a fall, [`ALLOWED_DRIFT`] for the allowable drift of the file.
     pub state: usize,
     /// The observations; intensities are peak accelerations of the ground, m/s².
     pub observations: Vec<Observation>,
@@ -140,7 +141,7 @@ pub struct CombinationFragility {
     pub job: usize,
     /// Number of scans with information, including those with only a bracket, and those that fall by themselves.
     pub usable: usize,
-    /// States with a name, the mildest first.
+    /// States with a name, the mildest first; the allowable drift of the file last.
     pub states: Vec<StateFragility>,
 }
 
@@ -170,8 +171,14 @@ impl CombinationFragility {
     /// Pairs of states whose curves cross in the relevant range: on one side the worse state is more likely than the milder one.
     pub fn crossings(&self) -> Vec<StatesCrossing> {
         let mut found = Vec::new();
-        for (i, mild) in self.states.iter().enumerate() {
-            for severe in &self.states[i + 1..] {
+        // the allowable drift of the file may lie anywhere among the states
+        let states: Vec<_> = self
+            .states
+            .iter()
+            .filter(|own| own.state != ALLOWED_DRIFT)
+            .collect();
+        for (i, mild) in states.iter().enumerate() {
+            for severe in &states[i + 1..] {
                 let (Ok(a), Ok(b)) = (&mild.by_acceleration, &severe.by_acceleration) else {
                     continue;
                 };

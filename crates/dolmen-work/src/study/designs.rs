@@ -4,6 +4,7 @@ use super::engine::missing;
 use super::error::StudyError;
 use super::plan::Plan;
 use super::results::{JournalText, merged};
+use super::scans::ALLOWED_DRIFT;
 use crate::error::WorkError;
 use crate::opened::Opened;
 use crate::score::{ScoreDesign, ScoreDesigns, factors};
@@ -76,7 +77,7 @@ pub fn study_designs(
             .into());
         };
         let mut states = [None; 4];
-        for state in &found.states {
+        for state in found.states.iter().filter(|state| state.state != ALLOWED_DRIFT) {
             states[state.state] = state.by_acceleration.as_ref().ok().map(|fit| fit.curve);
         }
         designs.push(ScoreDesign { factors, states });

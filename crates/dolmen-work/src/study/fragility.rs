@@ -7,18 +7,22 @@ use super::input_columns::CaseInputs;
 use super::kind::StudyKind;
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
-use super::scans::{CapacityOf, ScanVerdict};
+use super::scans::{ALLOWED_DRIFT, CapacityOf, STATES, ScanVerdict};
 use super::shaking::scaled;
 use dolmen::assess::{
     AnnualRisk, AssessError, Fragility, FragilityBound, FragilityFit, Observation, annual_risk,
     fit_fragility_of_motions, scatter_split,
 };
 use dolmen_words::Language;
+use dolmen_words::number::trimmed;
 use std::collections::BTreeSet;
 
 impl StudyAnswer {
-    /// Whether a state applies: slipping does not for a frame in which nothing ever slipped.
+    /// Whether a state applies: slipping does not for a frame in which nothing ever slipped, the allowable drift only if the file sets one.
     pub fn has_state(&self, state: usize) -> bool {
+        if state == ALLOWED_DRIFT {
+            return self.drift_limit.is_some() && matches!(self.kind, StudyKind::Frame | StudyKind::Building);
+        }
         let is_named = self.kind.states().get(state).is_some_and(|name| *name != "–");
         if self.kind != StudyKind::Frame || state != 0 || !is_named {
             return is_named;
@@ -42,7 +46,7 @@ impl StudyAnswer {
                 .filter(|scan| is_known(scan) && self.combination_of(scan.job) == combination);
             let own: Vec<&CapacityOf> = own.collect();
             let Some(first) = own.first() else { continue };
-            let states = (0..4)
+            let states = (0..STATES)
                 .filter(|state| self.has_state(*state))
                 .map(|state| self.state_fragility(state, &own));
             found.push(CombinationFragility {
@@ -97,19 +101,31 @@ impl StudyAnswer {
         }
     }
 
-    /// Names of the damage states, the first state first.
-    pub fn state_words(&self, language: Language) -> [&'static str; 4] {
-        let words = self.kind.states();
-        words.map(|word| match (word, language) {
+    /// Name of a state.
+    pub fn state_words(&self, state: usize, language: Language) -> String {
+        let percent = |ratio: f64| trimmed(100.0 * ratio, 4);
+        if state == ALLOWED_DRIFT {
+            let limit = percent(self.drift_limit.unwrap_or(f64::NAN));
+            return language.pick(
+                format!("allowed drift {limit} %"),
+                format!("허용 층간변위 {limit} %"),
+            );
+        }
+        if let (StudyKind::Building, Some(limit)) = (self.kind, self.study.drift_limits.get(state)) {
+            let limit = percent(*limit);
+            return language.pick(format!("drift {limit} %"), format!("층간변위 {limit} %"));
+        }
+        let word = match (self.kind.state(state), language) {
             // differs from the allowable drift of the file
             ("drift limit", Language::English) => "leans by 10 %",
-            (_, Language::English) => word,
+            (word, Language::English) => word,
             ("falls", _) => "낙하·전도",
             ("slips", _) => "미끄러짐",
             ("opens", _) => "벌어짐",
             ("drift limit", _) => "10 % 기울어짐",
             (word, _) => word,
-        })
+        };
+        word.to_owned()
     }
 
     fn state_fragility(&self, state: usize, scans: &[&CapacityOf]) -> StateFragility {
@@ -236,11 +252,10 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
     let fit = |of: fn(&FragilityFit) -> f64| {
         move |state: &StateFragility| state.by_acceleration.as_ref().ok().map(of)
     };
-    let states = answer.kind.states();
     let of_rows: Vec<(usize, usize)> = rows.iter().map(|(one, _)| (one.combination, one.job)).collect();
     let mut columns = combination_columns(answer, &of_rows);
     columns.extend([
-        words("state", &|(_, state)| states[state.state].to_owned()),
+        words("state", &|(_, state)| answer.kind.state(state.state).to_owned()),
         counts("scans", &|(_, state)| state.scans()),
         counts("fell_by_itself", &|(_, state)| state.fell_alone),
         counts("motions", &|(_, state)| {

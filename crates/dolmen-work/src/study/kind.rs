@@ -24,6 +24,11 @@ impl StudyKind {
         }
     }
 
+    /// Name of a state in tables and JSON: one of [`Self::states`], or the allowable drift of the file behind them.
+    pub fn state(self, state: usize) -> &'static str {
+        self.states().get(state).copied().unwrap_or("allowed drift")
+    }
+
     /// Names of the damage states of a run, the first state first.
     pub fn states(self) -> [&'static str; 4] {
         match self {

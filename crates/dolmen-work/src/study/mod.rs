@@ -70,7 +70,7 @@ pub(crate) use motions::acting_component;
 pub use plan::Plan;
 pub use results::{JournalText, StudyJournals, finish, merged, resumed, studies, studies_run};
 pub use run::{Run, RunOutcome};
-pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
+pub use scans::{ALLOWED_DRIFT, CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
 pub use shaking_measure::{MeasureComparison, ShakingMeasure, ShakingScales};
 pub use some_runs::DamageInRuns;
 pub use state_before::StateBefore;

@@ -7,6 +7,10 @@ use dolmen::assess::{
 };
 use dolmen_words::Language;
 
+/// Number of states with a curve: the four damage states, and the allowable drift of the file.
+pub(super) const STATES: usize = 5;
+/// Place of the allowable drift of the file among the states.
+pub const ALLOWED_DRIFT: usize = 4;
 /// Fewest scans for 5 % and 95 % quantiles: with fewer they would be the extremes. Our choice.
 pub const SCANS_OF_TAILS: usize = 20;
 
@@ -65,10 +69,11 @@ pub struct CapacityOf {
     pub peak_of_scale_1_m_s2: f64,
     /// Largest velocity of that component at scale 1, m/s.
     pub velocity_of_scale_1_m_s: f64,
-    /// Peak at which DS1, DS2, DS3 and a fall are first reached, m/s², for usable scans; 0 if it falls by its own weight.
-    pub first_m_s2: Option<[Reached; 4]>,
-    /// Knowledge of the peaks at which DS1, DS2, DS3 and a fall are first reached, m/s², including scans with only a bracket.
-    pub seen_m_s2: [Option<Observation>; 4],
+    /// Peak at which DS1, DS2, DS3, a fall and the allowable drift of the file are first reached, m/s², for usable scans; 0 if it falls by its
+    /// own weight.
+    pub first_m_s2: Option<[Reached; STATES]>,
+    /// Knowledge of the same peaks, m/s², including scans with only a bracket; `None` for the drift of a file without `[limits]`.
+    pub seen_m_s2: [Option<Observation>; STATES],
 }
 
 impl CapacityOf {
@@ -101,7 +106,7 @@ impl CapacityOf {
 
     /// The same for a linear building, where everything is proportional: its largest run gives exactly the peak at which each drift limit
     /// is reached, up to the largest size.
-    pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4]) -> Self {
+    pub(super) fn in_proportion(mut self, runs: &[Run], limits: [f64; STATES]) -> Self {
         let ratio = |run: &Run| match run.measures {
             RunMeasures::Building(of) => Some(of.peak_corner_drift_ratio).filter(|ratio| *ratio > 0.0),
             _ => None,
@@ -175,7 +180,7 @@ impl LevelRow {
         self.scans.iter().filter(|scan| !scan.verdict.is_usable())
     }
 
-    /// Peaks at which a state, 0 to 3, is first reached, m/s², by size.
+    /// Peaks at which a state is first reached, m/s², by size.
     pub fn first_m_s2(&self, state: usize) -> Vec<Reached> {
         let mut first: Vec<Reached> = self
             .scans
@@ -331,8 +336,8 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
             .map_or(f64::NAN, |run| run.peak_ground_velocity_m_s / run.scale),
         first_m_s2: verdict
             .is_usable()
-            .then(|| [first(1), first(2), first(3), first(4)]),
-        seen_m_s2: [1, 2, 3, 4].map(seen),
+            .then(|| [first(1), first(2), first(3), first(4), first(u8::MAX)]),
+        seen_m_s2: [seen(1), seen(2), seen(3), seen(4), None],
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::answer::StudyAnswer;
 use super::combination_fragility::{CombinationFragility, StateFragility};
+use super::scans::STATES;
 use super::shaking_measure::{MeasureComparison, ShakingMeasure};
 use dolmen::assess::{Observation, fit_fragility_of_motions};
 
@@ -41,7 +42,7 @@ impl StudyAnswer {
     pub(super) fn fit_measures(&self, found: &[CombinationFragility]) -> Vec<MeasureComparison> {
         let measures = self.measures();
         let mut all = Vec::new();
-        for state in 0..4 {
+        for state in 0..STATES {
             let own = found.iter().filter_map(|one| {
                 let own = one.states.iter().find(|own| own.state == state)?;
                 (own.by_measure.len() == measures.len()).then_some(own)

@@ -2,6 +2,7 @@
 
 use super::answer::StudyAnswer;
 use super::earthquake_of::EarthquakeOf;
+use super::scans::STATES;
 use dolmen::assess::{AssessError, Observation, Sufficiency, sufficiency};
 
 /// Largest share of scans without a bracket for the state: these are the strongest and the weakest. Our choice.
@@ -63,7 +64,7 @@ impl StudyAnswer {
         if predictors.is_empty() && has(Predictor::Duration) {
             predictors.push(Predictor::Duration);
         }
-        let states = 0..4;
+        let states = 0..STATES;
         let each = states.flat_map(|state| predictors.iter().map(move |predictor| (state, *predictor)));
         let is_known = |state: usize| {
             let mut all = self.fragilities().iter().flat_map(|one| &one.states);

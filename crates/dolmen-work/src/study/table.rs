@@ -7,7 +7,7 @@ use super::kind::StudyKind;
 use super::measures::RunMeasures;
 use super::method::direction_deg;
 use super::run::Run;
-use super::scans::CapacityOf;
+use super::scans::{ALLOWED_DRIFT, CapacityOf};
 use super::shaking_measure::ShakingMeasure;
 
 fn number(value: f64) -> Option<f64> {
@@ -151,6 +151,9 @@ pub fn capacity_columns(answer: &StudyAnswer) -> Vec<Column> {
     columns.counts("unusable", CapacityOf::unusable_runs);
     for state in 0..3 {
         columns.numbers(&format!("first_ds{}_m_s2", state + 1), |row| first(row, state));
+    }
+    if answer.has_state(ALLOWED_DRIFT) {
+        columns.numbers("first_beyond_allowed_drift_m_s2", |row| first(row, ALLOWED_DRIFT));
     }
     columns.found
 }

@@ -26,6 +26,7 @@ use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
 use dolmen_records::{FileError, LogError, PhotoError};
+use dolmen_words::number::trimmed;
 use dolmen_words::sentences;
 
 sentences! {
@@ -161,6 +162,14 @@ sentences! {
         SlidingOfLoose => {
             en: "--law sliding follows blocks that slide on their beds, and loose stones have none: leave it out, or take --law springs or rigid",
             ko: "--law sliding은 접합면에서 미끄러지는 부재를 해석하는 것인데 돌무더기에는 접합면이 없다. 빼거나 --law springs 또는 rigid를 쓴다",
+        },
+        SpikesHideModes { channel, count, first_s } as { channel, count, first_s: trimmed(*first_s, 6) } => {
+            en: "channel \"{channel}\": single samples far from their neighbours ({count}, the first at {first_s} s) hide every mode; loggers write such a number (9999, -9999) where they have no reading: correct these samples, or cut the record",
+            ko: "채널 \"{channel}\": 주변과 동떨어진 단일 표본 {count}개(처음은 {first_s} s)에 모드가 모두 가려진다. 기록계는 값이 없을 때 이런 수(9999, -9999)를 쓴다. 그 표본을 고치거나 기록을 자른다",
+        },
+        PlacedVariant { variant } => {
+            en: "the stones are loose, but those of the variant \"{variant}\" are placed (loose = false), and the two have different checks: give the variant loose stones, or put it in a file of its own",
+            ko: "파일의 부재는 돌무더기인데 대안 \"{variant}\"의 부재는 쌓은 것(loose = false)이어서 검토 방법이 서로 다르다. 대안도 돌무더기로 하거나 별도 파일로 나눈다",
         },
         PushTooLarge { push_rad, most_rad } => {
             en: "--push is {push_rad} rad, but must be at most {most_rad} rad in size",
