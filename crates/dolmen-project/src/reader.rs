@@ -8,7 +8,7 @@ use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::identified::identified_from;
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
-use super::unit_help::help_of_unit;
+use super::unit_help::{help_of_unit, with_its_unit, write_with_one};
 use super::units::{Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
 use super::warned::Warned;
 use super::written::{short, with_unit};
@@ -341,9 +341,9 @@ impl<'f> Reader<'f> {
                 path: path.to_string(),
                 given: given.to_string(),
             };
-            let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
+            let help = write_with_one(&given, units);
             let fault = Fault::new(span.clone(), path, message).allowed(WrongNumber::MustBeWithIts(what));
-            self.fault(fault.help(WrongNumber::WriteOr { one, other }));
+            self.fault(fault.help(help));
             return None;
         }
         let (text, factor) = self.bare_unit(measure);
@@ -390,10 +390,13 @@ impl<'f> Reader<'f> {
                 Fault::new(span.clone(), path, message).allowed(must_be)
             }
             Some((_, "")) if measure != Measure::Ratio => {
-                let (bare, _) = self.bare_unit(measure);
-                let help = WrongNumber::WriteWithoutQuotesOr {
-                    text: text.trim().to_string(),
-                    bare: bare.to_string(),
+                let number = text.trim();
+                let help = match with_its_unit(measure) {
+                    Some((_, units)) => write_with_one(number, units),
+                    None => WrongNumber::WriteWithoutQuotesOr {
+                        text: number.to_owned(),
+                        bare: self.bare_unit(measure).0.to_owned(),
+                    },
                 };
                 let message = WrongNumber::IsTextWithoutUnit {
                     path: path_named,
@@ -517,15 +520,6 @@ impl<'f> Reader<'f> {
         let number = self.number(&raw.value, None, &raw.span, path, measure)?;
         self.bounded(number.value, &number.written, &raw.span, path, bound)?;
         Some(number.value)
-    }
-}
-
-/// Why a number cannot be bare, with units to offer.
-fn with_its_unit(measure: Measure) -> Option<(Both, [&'static str; 2])> {
-    match measure {
-        Measure::Angle => Some((WrongNumber::Angle.into(), ["deg", "rad"])),
-        Measure::GroundAcceleration => Some((Common::Acceleration.into(), ["g", "m/s2"])),
-        _ => None,
     }
 }
 

@@ -418,7 +418,7 @@ fn unit_of<'h>(heads: &'h [Option<Head>], held: &Held) -> Option<&'h str> {
 
 /// Hz of a unit of frequency.
 pub(super) fn unit_factor(unit: Option<&str>) -> f64 {
-    unit.and_then(|unit| parse_unit(unit).ok())
+    unit.and_then(|unit| parse_unit(unit).ok()?.measuring(Measure::Frequency.dimension()))
         .map_or(1.0, |unit| unit.factor)
 }
 
@@ -494,6 +494,20 @@ mod tests {
         let written = parse_project_with(&text, "p.toml", &One("")).unwrap();
         assert_eq!(tabled.surveys, written.surveys);
         assert_eq!(tabled.surveys.len(), 4);
+    }
+
+    #[test]
+    fn exact_heads_in_radians_per_second_become_hertz() {
+        let table =
+            "date,frequency x 1 (rad/s),frequency x 1 sd (Hz),frequency y (deg/s)\n2016-05-03,12,0.01,720\n";
+        let project = read(table, "").unwrap();
+        let modes = &project.surveys[0].modes;
+        let [x, y] = ["x", "y"].map(|axis| &modes[axis][0].frequency);
+        let hertz = 12.0 / std::f64::consts::TAU;
+        assert!((x.value / hertz - 1.0).abs() < 1e-14, "{}", x.value);
+        assert!((x.cov.unwrap() * hertz / 0.01 - 1.0).abs() < 1e-12, "{:?}", x.cov);
+        assert!((y.value - 2.0).abs() < 1e-14, "{}", y.value);
+        assert_eq!(x.written, "12 rad/s");
     }
 
     #[test]

@@ -21,3 +21,17 @@ pub(super) fn help_of_unit((of, text): (&str, &str), found: Dimension, measure: 
         }
     }
 }
+
+/// Why a number cannot be bare, with units to offer.
+pub(super) fn with_its_unit(measure: Measure) -> Option<(Both, [&'static str; 2])> {
+    match measure {
+        Measure::Angle => Some((WrongNumber::Angle.into(), ["deg", "rad"])),
+        Measure::GroundAcceleration => Some((Common::Acceleration.into(), ["g", "m/s2"])),
+        _ => None,
+    }
+}
+
+pub(super) fn write_with_one(number: &str, units: [&'static str; 2]) -> WrongNumber {
+    let [one, other] = units.map(|unit| format!("\"{number} {unit}\""));
+    WrongNumber::WriteOr { one, other }
+}

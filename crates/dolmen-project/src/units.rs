@@ -128,17 +128,28 @@ const POWER_MOST: i32 = 4;
 pub(super) struct Unit {
     pub(super) factor: f64,
     pub(super) dimension: Dimension,
+    /// Power of its angle: 1 for rad/s, -1 for N m/rad. An angle has no dimension, but turns a frequency into an angular one.
+    angle: i32,
 }
 
 impl Unit {
-    /// The unit in a needed dimension: itself, or a unit weight, kN/m³, as a density; `None` for another dimension.
+    /// The unit in a needed dimension: itself; a unit weight, kN/m³, as a density; an angular frequency, rad/s, as a frequency, f = ω/2π;
+    /// `None` for another dimension.
     pub(super) fn measuring(self, needed: Dimension) -> Option<Unit> {
-        match (needed, self.dimension) {
-            (Dimension::DENSITY, Dimension::STRESS_PER_LENGTH) => Some(Unit {
-                factor: self.factor / STANDARD_GRAVITY_M_S2,
-                dimension: needed,
-            }),
-            (_, own) => (own == needed).then_some(self),
+        let of_factor = |factor: f64| Unit {
+            factor,
+            dimension: needed,
+            angle: 0,
+        };
+        match (needed, self.dimension, self.angle) {
+            (Dimension::DENSITY, Dimension::STRESS_PER_LENGTH, _) => {
+                Some(of_factor(self.factor / STANDARD_GRAVITY_M_S2))
+            }
+            (Dimension::FREQUENCY, Dimension::FREQUENCY, 1) => {
+                Some(of_factor(self.factor / std::f64::consts::TAU))
+            }
+            (Dimension::FREQUENCY, Dimension::FREQUENCY, power) if power != 0 => None,
+            (_, own, _) => (own == needed).then_some(self),
         }
     }
 }
@@ -208,6 +219,7 @@ pub(super) fn parse_unit(text: &str) -> Result<Unit, UnitError> {
     let mut unit = Unit {
         factor: 1.0,
         dimension: Dimension::RATIO,
+        angle: 0,
     };
     let mut parts = text.split('/');
     let above = parts.next().unwrap_or_default();
@@ -256,6 +268,9 @@ fn multiply(unit: &mut Unit, written: &str, sign: i32) -> Result<(), UnitError> 
     unit.factor *= factor.powi(power);
     let product = unit.dimension.times(*dimension, power);
     unit.dimension = product.ok_or(UnitError::ProductAfterSlash)?;
+    if is_angle(symbol) {
+        unit.angle += power;
+    }
     Ok(())
 }
 
@@ -430,6 +445,32 @@ mod tests {
         assert_eq!(of("kN*m*s/rad"), (1e3, Dimension::ROTATIONAL_DAMPING));
         let per_degree = of("kN*m/deg").0;
         assert!((per_degree - 57_295.779_513_082_32).abs() < 1e-9, "{per_degree}");
+    }
+
+    #[test]
+    fn exact_an_angular_frequency_is_turned_into_hertz() {
+        let hertz = |text: &str| Some(parse_unit(text).ok()?.measuring(Dimension::FREQUENCY)?.factor);
+        let tau = std::f64::consts::TAU;
+        for (text, expected) in [
+            ("Hz", 1.0),
+            ("1/s", 1.0),
+            ("rad/s", 1.0 / tau),
+            ("mrad/ms", 1.0 / tau),
+            ("deg/s", 1.0 / 360.0),
+            ("°/s", 1.0 / 360.0),
+        ] {
+            let found = hertz(text).unwrap();
+            assert!((found / expected - 1.0).abs() < 1e-15, "{text}: {found}");
+        }
+        for text in ["rad*rad/s", "Hz/rad", "rad", "s", "m/s", "rad/s2"] {
+            assert_eq!(hertz(text), None, "{text}");
+        }
+        // only frequencies: a damping per angular velocity stays as it is
+        let damping = parse_unit("kN*m*s/rad").unwrap();
+        assert_eq!(
+            damping.measuring(Dimension::ROTATIONAL_DAMPING).unwrap().factor,
+            1e3
+        );
     }
 
     #[test]

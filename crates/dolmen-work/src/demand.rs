@@ -40,11 +40,7 @@ pub(crate) fn of(
     let at_rest = at_rest(project, tilts)?;
     for (direction, period_s) in periods(project, check, &at_rest)? {
         let own = own_damping_ratio(project, check, &direction);
-        let damping_ratio = match check {
-            // the spectrum uses the damping of the modes
-            Check::Building(_) => own.unwrap_or(answer.site.damping_ratio),
-            _ => answer.site.damping_ratio_of(own),
-        };
+        let damping_ratio = answer.site.damping_ratio_of(own);
         match answer.site.spectrum.acceleration_m_s2(period_s, damping_ratio) {
             Ok(acceleration_m_s2) => answer.spectral.push(SpectralAt {
                 direction,

@@ -117,6 +117,7 @@ mod tilts_left_out;
 mod towers;
 mod training;
 mod tunings;
+mod unfit_motions;
 mod untrusted;
 mod verbs;
 mod walls;

@@ -165,3 +165,43 @@ fn refuses_a_way_to_put_setups_together_where_there_are_none() {
     let said = refused(&format!("{CHAIN}\n[survey.a]\nmerge = \"both\"\n"));
     assert!(said.contains("poser") && said.contains("preger"), "{said}");
 }
+
+#[test]
+fn exact_an_angular_frequency_becomes_hertz_and_keeps_its_text() {
+    let of = |unit: &str, given: &str| {
+        let units = match unit {
+            "" => String::new(),
+            unit => format!("units = {{ frequency = \"{unit}\" }}\n"),
+        };
+        let text = format!(
+            "schema = 1\nkind = \"survey\"\nname = \"Tower\"\n{units}[survey.2020-01-01]\nfrequencies.x = [{given}]\n"
+        );
+        let project = parse_project(&text, "project.toml").unwrap();
+        project.surveys[0].modes["x"][0].frequency.clone()
+    };
+    let tau = std::f64::consts::TAU;
+    for (unit, given, hertz, written) in [
+        ("", "\"1.356 rad/s\"", 1.356 / tau, "1.356 rad/s"),
+        ("", "\"77.69 deg/s\"", 77.69 / 360.0, "77.69 deg/s"),
+        (
+            "",
+            "{ value = \"1.356 rad/s\", sd = 0.01356 }",
+            1.356 / tau,
+            "1.356 rad/s",
+        ),
+        ("rad/s", "1.356", 1.356 / tau, "1.356 rad/s"),
+    ] {
+        let read = of(unit, given);
+        assert!(
+            (read.value / hertz - 1.0).abs() < 1e-14,
+            "{given}: {}",
+            read.value
+        );
+        assert_eq!(read.written, written);
+        let (unit, size) = read.written_unit().unwrap();
+        let back: f64 = written.split(' ').next().unwrap().parse().unwrap();
+        assert!((read.value / size / back - 1.0).abs() < 1e-14, "{unit}");
+    }
+    let of_sd = of("", "{ value = \"1.356 rad/s\", sd = 0.01356 }");
+    assert!((of_sd.cov.unwrap() - 0.01).abs() < 1e-14);
+}

@@ -515,3 +515,13 @@ error: survey.a.tilt.x = 177 would have fallen
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));
 }
+
+#[test]
+fn refuses_an_acceleration_in_quotes_with_units_that_are_allowed() {
+    let site = "[site]\ncode = \"KDS 17 10 00\"\nzone_factor = \"0.11\"\nreturn_period_years = 1000\nsoil = \"S2\"\n";
+    let text = chain_with(&[]) + site;
+    let said = refused(&text);
+    assert!(said.contains("help: write \"0.11 g\" or \"0.11 m/s2\""), "{said}");
+    let bare = refused(&text.replace("\"0.11\"", "0.11"));
+    assert!(bare.contains("help: write \"0.11 g\" or \"0.11 m/s2\""), "{bare}");
+}

@@ -1,6 +1,7 @@
 //! Reads the channels of a motion file: detects the format from the content, determines unit and time step, and checks peaks.
 
 use super::plausible::refuse_implausible;
+use super::spike::{Codes, refuse_spikes};
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
 use crate::seismic::{Raw, Response, motion_channels};
 use crate::unit::Unit;
@@ -35,6 +36,8 @@ pub struct ComponentReading {
     pub begins_s: Option<f64>,
     /// The mean that was subtracted, m/s². Only for K-NET and KiK-net files, whose numbers have an offset by definition.
     pub mean_subtracted_m_s2: Option<f64>,
+    /// Whether the file states that the sensor is in a borehole.
+    pub is_borehole: bool,
 }
 
 /// Reads all channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, text in columns, or a workbook (XLSX) with one sheet of
@@ -232,6 +235,9 @@ fn finished(mut raw: Raw, options: &MotionOptions) -> Result<ComponentReading, M
             unit: unit.symbol(),
         });
     }
+    if raw.format != MotionFormat::Text {
+        refuse_spikes(&samples, raw.time_step_s, Codes::None, &|_| None)?;
+    }
     let si = unit.si() * options.factor;
     samples.iter_mut().for_each(|a| *a *= si);
     refuse_implausible(largest(&samples), unit, &options.plausible_peak_m_s2)?;
@@ -245,6 +251,7 @@ fn finished(mut raw: Raw, options: &MotionOptions) -> Result<ComponentReading, M
         orientation: raw.orientation,
         begins_s: raw.begins_s,
         mean_subtracted_m_s2: raw.subtract_mean.then_some(mean * si),
+        is_borehole: raw.is_borehole,
     })
 }
 

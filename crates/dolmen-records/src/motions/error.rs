@@ -110,6 +110,60 @@ pub enum MotionError {
         /// The sample, from 0.
         sample: usize,
     },
+    /// A sample has a code for a missing value.
+    MissingCode {
+        /// Its line, if the file has one for each sample.
+        line: Option<usize>,
+        /// Its time from the first sample, s.
+        at_s: f64,
+        /// The code, as written.
+        value: f64,
+        /// Number of samples with it.
+        count: usize,
+    },
+    /// A single sample is several times beyond every other.
+    Spike {
+        /// Its line, if the file has one for each sample.
+        line: Option<usize>,
+        /// Its time from the first sample, s.
+        at_s: f64,
+        /// The sample, in the unit of the file.
+        value: f64,
+        /// Largest of the others.
+        others: f64,
+    },
+    /// A vertical record is given for a horizontal direction.
+    Vertical {
+        /// "x" or "y".
+        component: &'static str,
+    },
+    /// A record from a borehole is given to shake a structure.
+    Borehole {
+        /// "x", "y" or "z".
+        component: &'static str,
+    },
+    /// Two components are of different stations or earthquakes.
+    Origins {
+        /// One component.
+        first: &'static str,
+        /// Its station or earthquake.
+        first_of: String,
+        /// The other component.
+        second: &'static str,
+        /// Its station or earthquake.
+        second_of: String,
+    },
+    /// The columns of a table measure different quantities, or are in different units.
+    ColumnsDiffer {
+        /// One column.
+        column: String,
+        /// Its unit.
+        found: &'static str,
+        /// Another column.
+        other: String,
+        /// Its unit.
+        unit: &'static str,
+    },
     /// The peak of the samples contradicts the header.
     StatedPeak {
         /// The channel.

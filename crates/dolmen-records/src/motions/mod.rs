@@ -7,6 +7,7 @@ mod oriented;
 mod origin;
 mod plausible;
 mod read;
+mod spike;
 mod text;
 mod write;
 
@@ -14,7 +15,7 @@ pub use crate::seismic::{MotionFormat, Orientation, Response, SeismicError, resp
 pub use crate::start::start_of_text;
 pub use channel::{ComponentReading, read_channels, read_component};
 pub use error::MotionError;
-pub use options::{Lengths, MotionOptions, StatedPeak};
+pub use options::{Lengths, MotionOptions, ReadFor, StatedPeak};
 pub use oriented::read_oriented;
 pub use origin::{Origin, origin};
 pub use read::{ComponentSource, read_columns_as, read_motion};

@@ -31,6 +31,8 @@ pub struct MotionOptions {
     pub plausible_peak_m_s2: RangeInclusive<f64>,
     /// What to do if the components differ in length. Default: refuse.
     pub lengths: Lengths,
+    /// Use of the motion. Default: to look at.
+    pub read_for: ReadFor,
 }
 
 impl Default for MotionOptions {
@@ -45,8 +47,19 @@ impl Default for MotionOptions {
             stated_peak: StatedPeak::Check,
             plausible_peak_m_s2: 0.001 * STANDARD_GRAVITY_M_S2..=5.0 * STANDARD_GRAVITY_M_S2,
             lengths: Lengths::Same,
+            read_for: ReadFor::Looking,
         }
     }
+}
+
+/// Use of a motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ReadFor {
+    /// Measures and figures: any record.
+    #[default]
+    Looking,
+    /// To shake a structure: a vertical record as x or y, and a record from a borehole, are refused.
+    Shaking,
 }
 
 /// Treatment of components with different lengths.

@@ -6,7 +6,7 @@
 //! | ψ | `x_azimuth_deg` | direction of x, likewise; y is a quarter turn to its left |
 //! | n, e | `n`, `e` | acceleration to the north and to the east |
 
-use super::read::motion_of;
+use super::read::{motion_of, refuse_unfit};
 use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_channels};
 use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
@@ -79,6 +79,7 @@ pub fn read_oriented(
         placed.extend(turned(first, second, x_azimuth_deg, options)?);
     }
     placed.extend(vertical.into_iter().map(|channel| (Component::Z, channel)));
+    refuse_unfit(&placed, options)?;
     let mut motion = motion_of(name, placed, options)?;
     if found.0 > 0 {
         motion.note(Processing::Oriented { x_azimuth_deg });

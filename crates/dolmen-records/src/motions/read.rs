@@ -1,7 +1,10 @@
 //! Motions of several components from files of one channel each.
 
 use super::channel::same_step;
-use super::{ComponentReading, Lengths, MotionError, MotionOptions, Orientation, read_component};
+use super::{
+    ComponentReading, Lengths, MotionError, MotionFormat, MotionOptions, Orientation, Origin, ReadFor,
+    origin, read_component,
+};
 use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
 
@@ -78,6 +81,7 @@ pub fn read_columns_as(
         read.push((source.component, one));
     }
     refuse_mistaken(sources, &read)?;
+    refuse_unfit(&read, options)?;
     motion_of(name, read, options)
 }
 
@@ -122,6 +126,27 @@ fn refuse_mistaken(
             first: first.name().to_owned(),
             second: component.name().to_owned(),
         });
+    }
+    Ok(())
+}
+
+/// Refuses records that cannot shake a structure as they are placed: vertical ones along x or y, and those from a borehole.
+pub(super) fn refuse_unfit(
+    read: &[(Component, ComponentReading)],
+    options: &MotionOptions,
+) -> Result<(), MotionError> {
+    if options.read_for == ReadFor::Looking {
+        return Ok(());
+    }
+    for (component, one) in read {
+        let component = component.name();
+        match one.orientation {
+            Some(Orientation::Up | Orientation::Down) if component != "z" => {
+                return Err(MotionError::Vertical { component });
+            }
+            _ if one.is_borehole => return Err(MotionError::Borehole { component }),
+            _ => {}
+        }
     }
     Ok(())
 }
@@ -199,6 +224,7 @@ fn agree(
             later_s: b - a,
         });
     }
+    refuse_other_origin((first, reference), (second, one))?;
     let (first_samples, second_samples) = (reference.acceleration_m_s2.len(), one.acceleration_m_s2.len());
     if options.lengths == Lengths::Same && first_samples != second_samples {
         return Err(MotionError::Lengths {
@@ -207,6 +233,47 @@ fn agree(
             second,
             second_samples,
         });
+    }
+    Ok(())
+}
+
+/// Refuses a component whose header states another station or earthquake than that of the first.
+fn refuse_other_origin(
+    (first, reference): (&'static str, &ComponentReading),
+    (second, other): (&'static str, &ComponentReading),
+) -> Result<(), MotionError> {
+    if reference.format != other.format {
+        return Ok(());
+    }
+    let fields = |of: &ComponentReading| of.title.matches(',').count();
+    // titles of AT2 with another number of fields are divided differently, but all begin with the earthquake
+    let divides = reference.format != MotionFormat::At2 || fields(reference) == fields(other);
+    let of = |one: &ComponentReading| {
+        let Origin { event, station } = origin(one);
+        let first = one.title.split(',').next().filter(|first| !first.is_empty());
+        match divides {
+            true => [station, event],
+            false => [None, first.map(str::to_owned)],
+        }
+    };
+    let plain = |text: &str| {
+        text.split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .to_lowercase()
+    };
+    let pairs = of(reference).into_iter().zip(of(other));
+    for pair in pairs {
+        if let (Some(first_of), Some(second_of)) = pair
+            && plain(&first_of) != plain(&second_of)
+        {
+            return Err(MotionError::Origins {
+                first,
+                first_of,
+                second,
+                second_of,
+            });
+        }
     }
     Ok(())
 }

@@ -1,13 +1,14 @@
 //! Text in columns: time and acceleration, or acceleration alone with a step that the options give.
 
+use super::spike::{Codes, refuse_spikes};
 use super::{MotionError, MotionFormat, MotionOptions, Orientation};
 use crate::records::{
-    Column, FileUnit, Header, Layout, LostSamples, Pick, Reading, RecordError, RecordOptions, TimeColumn,
-    bracketed_unit, read_csv,
+    Column, CsvLayout, FileUnit, Header, Layout, LostSamples, Pick, Reading, RecordError, RecordOptions,
+    TimeColumn, bracketed_unit, read_csv,
 };
 use crate::seismic::Raw;
 use crate::unit::Unit;
-use dolmen::signal::Channel;
+use dolmen::signal::{Channel, Quantity};
 
 /// Names that the reader of records gives to unnamed columns.
 const UNNAMED: [&str; 2] = ["ch1", "ch2"];
@@ -22,6 +23,17 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     let are_several = channels.len() > 1;
     let given = options.time_step_s;
     let step_s = given.unwrap_or(1.0 / reading.record.sampling_rate_hz());
+    let line_of = |sample: usize| line_of_sample(bytes, layout, sample);
+    for (at, channel) in channels.iter().enumerate() {
+        let checked = refuse_spikes(reading.record.samples(at), step_s, Codes::Possible, &line_of);
+        checked.map_err(|fault| match are_several {
+            true => MotionError::Channel {
+                channel: channel.name.clone(),
+                fault: Box::new(fault),
+            },
+            false => fault,
+        })?;
+    }
     let each = channels.iter().enumerate().map(|(at, channel)| {
         let of_number = |number: usize| layout.columns.get(number.saturating_sub(1)).cloned();
         let header = match &column {
@@ -36,10 +48,26 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
             samples: reading.record.samples(at).to_vec(),
             unit: unit_in_name(&header),
             orientation: direction_in_name(&header),
+            quantity: quantity_in_name(&header),
             ..Raw::new(MotionFormat::Text, step_s)
         }
     });
     Ok(each.collect())
+}
+
+/// The line of a sample, counted from 1: of the lines below the header, those that begin with a number.
+fn line_of_sample(bytes: &[u8], layout: &CsvLayout, sample: usize) -> Option<usize> {
+    let above = layout
+        .header_line
+        .or(layout.passed_over.map(|[_, last]| last))
+        .unwrap_or(0);
+    let is_number = |line: &[u8]| {
+        let first = line.iter().find(|byte| !byte.is_ascii_whitespace());
+        first.is_some_and(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.' | b'"'))
+    };
+    let lines = bytes.split(|byte| *byte == b'\n').enumerate().skip(above);
+    let mut of_samples = lines.filter(|(_, line)| is_number(line));
+    of_samples.nth(sample).map(|(at, _)| at + 1)
 }
 
 /// The column to read: by its name, or by its number in the file, counted with the time as in a spreadsheet.
@@ -66,6 +94,20 @@ fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option
         RecordError::NoRate { names } => {
             let names = names.clone();
             return Err(MotionError::NoStep { names });
+        }
+        RecordError::ColumnUnitsDiffer {
+            column,
+            found,
+            other,
+            unit,
+            ..
+        } => {
+            return Err(MotionError::ColumnsDiffer {
+                column: column.clone(),
+                found,
+                other: other.clone(),
+                unit,
+            });
         }
         _ => return Err(refused.into()),
     };
@@ -179,6 +221,28 @@ const BESIDE: [&str; 9] = [
     "COMP",
     "DIRECTION",
 ];
+
+/// Words for velocities and displacements in column names.
+const VELOCITY: [&str; 5] = ["VEL", "VELO", "VELOC", "VELOCITY", "속도"];
+const DISPLACEMENT: [&str; 6] = ["DIS", "DISP", "DISPL", "DISPLACEMENT", "DISPLACEMENTS", "변위"];
+
+/// The quantity that a column name states, if it is not acceleration.
+fn quantity_in_name(name: &str) -> Option<Quantity> {
+    let whole = without_unit(name).to_uppercase();
+    let has = |known: &[&str]| {
+        let mut words = whole.split([' ', '_', ':', '.', '-', '(', ')', ',']);
+        words.any(|word| known.contains(&word))
+    };
+    if has(&["ACC", "ACCEL", "ACCELERATION", "가속도"]) {
+        None
+    } else if has(&VELOCITY) {
+        Some(Quantity::Velocity)
+    } else if has(&DISPLACEMENT) {
+        Some(Quantity::Displacement)
+    } else {
+        None
+    }
+}
 
 /// The direction of a column from its name: "EW (gal)", "N-S", "UD", "HNE", "동서(gal)", "동서방향 가속도". `None` for a number, and for x, y or a bare
 /// N.

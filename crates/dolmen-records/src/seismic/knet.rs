@@ -26,11 +26,12 @@ const HEADER_LINES: usize = 17;
 const RECORDED_LATE_S: f64 = 15.0;
 /// Japan standard time, used in headers, minus UTC, s.
 const JAPAN_S: f64 = 9.0 * 3600.0;
+const BOREHOLE: &str = "borehole";
 /// Directions of KiK-net: in the borehole, then at the surface.
 const KIK_NET: [(&str, &str, &str); 6] = [
-    ("1", "N-S", "borehole"),
-    ("2", "E-W", "borehole"),
-    ("3", "U-D", "borehole"),
+    ("1", "N-S", BOREHOLE),
+    ("2", "E-W", BOREHOLE),
+    ("3", "U-D", BOREHOLE),
     ("4", "N-S", "surface"),
     ("5", "E-W", "surface"),
     ("6", "U-D", "surface"),
@@ -131,6 +132,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
         begins_s: begins,
         subtract_mean: true,
         stated_peak: peak,
+        is_borehole: place == BOREHOLE,
         ..Raw::new(MotionFormat::KNet, 1.0 / rate_hz)
     }])
 }

@@ -64,6 +64,8 @@ pub(crate) struct Raw {
     pub(crate) quantity: Option<Quantity>,
     /// Largest absolute value stated by the header, in the unit of the file.
     pub(crate) stated_peak: Option<f64>,
+    /// Whether the file states that the sensor is in a borehole.
+    pub(crate) is_borehole: bool,
 }
 
 impl Raw {
@@ -82,6 +84,7 @@ impl Raw {
             subtract_mean: false,
             quantity: None,
             stated_peak: None,
+            is_borehole: false,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Errors of the file of a ground motion, in both languages.
 
-use super::pieces::{no_channel, unit_meant};
+use super::pieces::{at_line, no_channel, unit_meant};
 use crate::motions::MotionError;
 use crate::quoted::{listed, shown};
 use crate::records::{RecordError, SeismicError};
@@ -76,6 +76,30 @@ sentences! {
         NotFinite { channel, sample } as { channel: shown(channel), sample } => {
             en: "channel \"{channel}\": sample {sample} (from 0) is not a finite number: cut the file there, or leave the channel out",
             ko: "채널 \"{channel}\": {sample}번 자료(0부터)가 유한한 수가 아니다. 거기서 파일을 자르거나 그 채널을 뺀다",
+        },
+        MissingCode { line, at_s, value, count } as { place: at_line(line.unwrap_or(0)), at_s: (at_s * 1e6).round() / 1e6, value, count } => {
+            en: "{place}the sample at {at_s} s is {value}, a code for a missing value (samples with it: {count}): it is no acceleration. Replace it, for example by the straight line between its neighbours, or cut the record before it",
+            ko: "{place}{at_s} s의 자료가 {value}이며 이는 가속도가 아니라 결측을 나타내는 값이다(같은 값의 자료 {count}개). 앞뒤 자료 사이의 직선 등으로 바꾸거나 그 앞에서 기록을 자른다",
+        },
+        Spike { line, at_s, value, others } as { place: at_line(line.unwrap_or(0)), at_s: (at_s * 1e6).round() / 1e6, value, others } => {
+            en: "{place}the sample at {at_s} s is {value}, alone beyond all others, which are at most {others}: a spike of the recorder, or a code for a missing value. Replace it, for example by the straight line between its neighbours, or cut the record before it",
+            ko: "{place}{at_s} s의 자료 하나만 {value}이고 나머지는 모두 {others} 이하이다. 계측기의 튐 또는 결측을 나타내는 값이다. 앞뒤 자료 사이의 직선 등으로 바꾸거나 그 앞에서 기록을 자른다",
+        },
+        Vertical { component } => {
+            en: "the record given as {component} is vertical, as its header or column says: give it as z=FILE, and a horizontal record as {component}",
+            ko: "{component}(으)로 지정된 기록은 머리글이나 열 이름에 따르면 연직 성분이다. 이 기록은 z=파일로, {component}에는 수평 기록을 지정한다",
+        },
+        Borehole { component } => {
+            en: "the record given as {component} is from a borehole (KiK-net Dir. 1 to 3): deep ground shakes less than the surface that carries the structure. Give the record of the surface, Dir. 4 to 6 (files .NS2, .EW2, .UD2)",
+            ko: "{component}(으)로 지정된 기록은 시추공의 기록이다(KiK-net Dir. 1~3). 깊은 지반은 구조물이 놓인 지표면보다 약하게 흔들린다. 지표면의 기록(Dir. 4~6, 파일 .NS2, .EW2, .UD2)을 지정한다",
+        },
+        Origins { first, first_of, second, second_of } as { first, first_of: shown(first_of), second, second_of: shown(second_of) } => {
+            en: "the {first} component is of \"{first_of}\", the {second} of \"{second_of}\": the components of a motion are of one station and one earthquake; give each of these alone",
+            ko: "{first} 성분은 \"{first_of}\", {second} 성분은 \"{second_of}\"의 기록이다. 한 지반운동의 성분은 같은 관측소, 같은 지진의 것이어야 한다. 따로 지정한다",
+        },
+        ColumnsDiffer { column, found, other, unit } as { column: shown(column), found, other: shown(other), unit } => {
+            en: "column \"{column}\" is in {found}, but \"{other}\" in {unit}: say which columns are accelerations, columns = {{ x = \"…\", y = \"…\" }} in [motion.NAME] or --columns x=…,y=…; one alone with --channel",
+            ko: "\"{column}\" 열의 단위는 {found}인데 \"{other}\" 열의 단위는 {unit}이다. 가속도인 열을 지정한다. [motion.NAME]에는 columns = {{ x = \"…\", y = \"…\" }}, 명령에는 --columns x=…,y=…이다. 하나만 읽으려면 --channel을 쓴다",
         },
         StatedPeak { channel, stated, found, unit } as { channel: shown(channel), stated, unit, found: format!("{found:.6}") } => {
             en: "channel \"{channel}\": the header says that the peak is {stated} {unit}, but that of the samples is {found}: they were damaged or changed; download the file again, or say stated_peak = \"ignore\" in [motion.NAME] or --ignore-stated-peak if you know why",

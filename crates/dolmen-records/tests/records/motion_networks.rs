@@ -4,8 +4,10 @@
 // TOLERANCE  none for integers; the last bits of a sum of doubles otherwise.
 
 use super::motion_formats::{millionths, said, written};
+use dolmen::signal::Component;
 use dolmen_records::motions::{
-    MotionFormat, MotionOptions, Orientation, StatedPeak, read_channels, read_component, read_oriented,
+    MotionFormat, MotionOptions, Orientation, ReadFor, StatedPeak, read_channels, read_component,
+    read_motion, read_oriented,
 };
 use dolmen_records::records::Unit;
 
@@ -309,5 +311,78 @@ fn exact_esm() {
             &plain
         )
         .contains("the peak is 3.300022")
+    );
+}
+
+#[test]
+fn refuses_to_shake_with_vertical_and_borehole_records() {
+    let shaking = MotionOptions {
+        read_for: ReadFor::Shaking,
+        ..tiny()
+    };
+    let said = |component, direction: &str, options: &MotionOptions| {
+        let file = knet(direction, "0.046", KNET);
+        read_motion("", &[(component, file.as_bytes())], options).map_err(|error| error.to_string())
+    };
+    for (component, direction, words) in [
+        (Component::X, "U-D", "given as x is vertical"),
+        (Component::Y, "6", "given as y is vertical"),
+        (Component::X, "1", "given as x is from a borehole"),
+        (Component::Z, "3", "given as z is from a borehole"),
+    ] {
+        let refused = said(component, direction, &shaking).unwrap_err();
+        assert!(refused.contains(words), "{direction}: {refused}");
+        assert!(said(component, direction, &tiny()).is_ok(), "{direction}"); // to look at
+    }
+    for (component, direction) in [
+        (Component::X, "E-W"),
+        (Component::X, "4"),
+        (Component::Z, "U-D"),
+        (Component::Z, "6"),
+    ] {
+        assert!(said(component, direction, &shaking).is_ok(), "{direction}");
+    }
+}
+
+#[test]
+fn refuses_components_of_different_stations_or_earthquakes() {
+    let east = knet("E-W", "0.046", KNET);
+    let north = knet("N-S", "0.046", KNET);
+    let pair = |north: &str| {
+        let files = [(Component::X, east.as_bytes()), (Component::Y, north.as_bytes())];
+        read_motion("", &files, &tiny()).map_err(|error| error.to_string())
+    };
+    assert!(pair(&north).is_ok());
+    let station = pair(&north.replace("AKT013", "AOM004")).unwrap_err();
+    assert!(
+        station.contains("the x component is of \"AKT013\", the y of \"AOM004\""),
+        "{station}"
+    );
+    let later = north.replace(
+        "Origin Time       1996/08/11 03:12:00",
+        "Origin Time       1996/08/11 03:11:50",
+    );
+    let event = pair(&later).unwrap_err();
+    assert!(event.contains("one station and one earthquake"), "{event}");
+    let peer = |title: &str| format!("PEER\n{title}\nUNITS OF G\nNPTS= 2, DT= .01 SEC\n0.1 -0.3\n");
+    let [first, second, up, other] = [
+        "Northridge-01, 1/17/1994, Beverly Hills, 90",
+        "Northridge-01, 1/17/1994, Beverly Hills, 180",
+        "Northridge-01, 1/17/1994, Beverly Hills, UP (USC, 90014)",
+        "IMPERIAL VALLEY 5/19/40 0439, EL CENTRO ARRAY #9, 180",
+    ]
+    .map(peer);
+    let combined = |second: &str| {
+        let files = [
+            (Component::X, first.as_bytes()),
+            (Component::Y, second.as_bytes()),
+        ];
+        read_motion("", &files, &MotionOptions::default()).map_err(|error| error.to_string())
+    };
+    assert!(combined(&second).is_ok() && combined(&up).is_ok());
+    let event = combined(&other).unwrap_err();
+    assert!(
+        event.contains("of \"Northridge-01\", the y of \"IMPERIAL VALLEY 5/19/40 0439\""),
+        "{event}"
     );
 }

@@ -347,3 +347,57 @@ fn exact_a_workbook_holds_the_same_station() {
         .to_string();
     assert!(refused.contains("Sheet1, Sheet2"), "{refused}");
 }
+
+#[test]
+fn refuses_codes_for_missing_values_with_their_line() {
+    let table = |code: &str| {
+        let row = |k: usize| {
+            let a = 200.0 * (k as f64 / 5.0).sin();
+            match k == 30 {
+                true => format!("{:.2},{code}\n", k as f64 / 100.0),
+                false => format!("{:.2},{a:.3}\n", k as f64 / 100.0),
+            }
+        };
+        "time(s),a(gal)\n".to_owned() + &(0..200).map(row).collect::<String>()
+    };
+    let plain = MotionOptions::default();
+    assert!(read_component(table("-55.883").as_bytes(), &plain).is_ok());
+    let code = read_component(table("-999").as_bytes(), &plain)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        code.starts_with("line 32: the sample at 0.3 s is -999, a code for a missing value"),
+        "{code}"
+    );
+    let spike = read_component(table("850.25").as_bytes(), &plain)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        spike.starts_with("line 32: the sample at 0.3 s is 850.25, alone beyond all others"),
+        "{spike}"
+    );
+}
+
+#[test]
+fn refuses_columns_of_velocity_and_displacement() {
+    let text = b"time,acc,vel,disp\n0,0,0,0\n0.01,10,1,0.1\n0.02,-20,2,0.2\n";
+    let of = |name: &str| {
+        let options = MotionOptions {
+            channel: Some(name.to_owned()),
+            ..in_unit(Unit::Gal)
+        };
+        read_component(text, &options).map_err(|error| error.to_string())
+    };
+    assert!(of("acc").is_ok());
+    assert!(of("vel").unwrap_err().contains("velocities, not accelerations"));
+    assert!(
+        of("disp")
+            .unwrap_err()
+            .contains("displacements, not accelerations")
+    );
+    let text = b"time(s),acc(cm/s2),vel(cm/s),disp(cm)\n0,0,0,0\n0.01,10,1,0.1\n0.02,-20,2,0.2\n";
+    let differ = read_channels(text, &MotionOptions::default())
+        .unwrap_err()
+        .to_string();
+    assert!(differ.contains("say which columns are accelerations"), "{differ}");
+}

@@ -5,8 +5,10 @@ use super::words::{floor_words, millimetres, of_both, significant, stroke_words}
 use crate::document::{Finding, Tone};
 use crate::load_factor::{Falls, load_factor_finding};
 use crate::text::GROWN;
+use dolmen::damper::DamperKind;
 use dolmen::stability::Verdict;
 use dolmen::structure::building::{StoreyFall, StoreyMotion};
+use dolmen_project::strokes_of;
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
 use dolmen_work::state::{Check, VariantAnswer};
@@ -58,6 +60,14 @@ messages! {
             en: "Damper {damper} is beyond its room under the spectrum of the site: it needs {needed} each way and has {has}.",
             ko: "부지 스펙트럼에서 감쇠기 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
         },
+        RoomNotGiven { damper: Sentence, needed: Quantity } => {
+            en: "This holds only if damper {damper} has room to move {needed} each way, and none is given (`stroke`).",
+            ko: "이 결과는 감쇠기 {damper}이(가) 한쪽으로 {needed} 움직일 공간이 있을 때만 맞으며, 여유 공간(`stroke`)이 입력되지 않았다.",
+        },
+        RoomNotGivenDrift { damper: Sentence, needed: Quantity, ratio: Quantity } => {
+            en: "This holds only if damper {damper} has room to move {needed} each way, and none is given (`stroke`). Without the dampers the largest drift is {ratio}.",
+            ko: "이 결과는 감쇠기 {damper}이(가) 한쪽으로 {needed} 움직일 공간이 있을 때만 맞으며, 여유 공간(`stroke`)이 입력되지 않았다. 감쇠기가 없으면 최대 층간변위는 {ratio}이다.",
+        },
         NotComputed { why: String } => {
             en: "The response to the spectrum of the site is not computed: {why}",
             ko: "부지 스펙트럼에 대한 응답을 계산하지 않았다: {why}",
@@ -80,6 +90,7 @@ pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
         all.extend(twisting(standing));
         if let Some(spectral) = &standing.spectral {
             all.push(drift(answer, standing, spectral));
+            all.extend(room_not_given(answer, standing, spectral));
         }
         all.extend(hardly_moves(standing));
         all.extend(more_with_dampers(standing).map(|said| Finding::key(Tone::Warn, said)));
@@ -135,11 +146,7 @@ fn twisting(standing: &StandingBuilding) -> Option<Finding> {
 fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, spectral: &BuildingSpectral) -> Finding {
     let damped = standing.damped.as_ref();
     let drifts = damped.map_or(&spectral.edge_drift_m, |damped| &damped.edge_drift_m);
-    let storeys = answer.elastic.storeys().iter().zip(drifts).enumerate();
-    let worst = storeys
-        .filter_map(|(i, (storey, drift))| drift.map(|[x, y]| (i, x.max(y) / storey.height_m)))
-        .reduce(|most, own| if own.1 > most.1 { own } else { most });
-    let Some((storey, ratio)) = worst else {
+    let Some((storey, ratio)) = worst(answer, drifts) else {
         return Finding::key(Tone::Warn, Found::NoOutline);
     };
     let floor = floor_words(&answer.floors[storey]);
@@ -149,6 +156,47 @@ fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, spectral: &Buildi
         None => Found::Drift { ratio, floor },
     };
     Finding::key(Tone::Plain, said)
+}
+
+/// The storey with the largest drift at an edge, and that drift over its height.
+fn worst(answer: &BuildingAnswer, drifts: &[Option<[f64; 2]>]) -> Option<(usize, f64)> {
+    let storeys = answer.elastic.storeys().iter().zip(drifts).enumerate();
+    storeys
+        .filter_map(|(i, (storey, drift))| drift.map(|[x, y]| (i, x.max(y) / storey.height_m)))
+        .reduce(|most, own| if own.1 > most.1 { own } else { most })
+}
+
+/// The damper with the longest stroke of those without a given room, on which the response with the dampers depends.
+fn room_not_given(
+    answer: &BuildingAnswer,
+    standing: &StandingBuilding,
+    spectral: &BuildingSpectral,
+) -> Option<Finding> {
+    let strokes = strokes_of(&standing.dampers);
+    let each = strokes
+        .iter()
+        .zip(&standing.damped.as_ref()?.strokes_m)
+        .enumerate();
+    let is_viscous = |k: usize| {
+        let damper = standing.dampers.get(k);
+        damper.is_some_and(|damper| matches!(damper.kind, DamperKind::Viscous { .. }))
+    };
+    let (_, (stroke, needed_m)) = each
+        .filter(|(k, (stroke, _))| stroke.room_m.is_none() && !is_viscous(*k))
+        .max_by(|a, b| a.1.1.total_cmp(b.1.1))?;
+    let (damper, needed) = (
+        stroke_words(&stroke.name),
+        significant(*needed_m, millimetres(), 3),
+    );
+    let said = match worst(answer, &spectral.edge_drift_m) {
+        Some((_, ratio)) => Found::RoomNotGivenDrift {
+            damper,
+            needed,
+            ratio: Quantity::percent(ratio, 3),
+        },
+        None => Found::RoomNotGiven { damper, needed },
+    };
+    Some(Finding::key(Tone::Warn, said))
 }
 
 /// Share of a modal mass below which dampers are not built. Our choice: they have half a per cent and more.

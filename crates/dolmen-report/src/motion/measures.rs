@@ -1,10 +1,11 @@
 //! The measures of a motion.
 
 use crate::document::{Cell, Column, Table};
+use crate::simulated::doubted_of;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::IntensityMeasures;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::motion::{MotionSeries, base_line_drifts};
+use dolmen_work::motion::{MotionDoubt, MotionSeries, base_line_drifts};
 
 messages! {
     /// Measures.
@@ -76,15 +77,23 @@ fn number(value: Option<f64>) -> Cell {
     Cell::Number(value.map(|value| Quantity::new(value, Unit::ratio(), Digits::Fixed(4))))
 }
 
-/// Notes on series with a drifting baseline.
+/// Notes on series with a wrong step, an offset or a drifting baseline.
 pub(super) fn drifts(series: &[MotionSeries]) -> Vec<Sentence> {
-    let drifting = series.iter().filter(|one| {
+    let mut all = Vec::new();
+    for one in series {
+        let doubts = one.doubts();
+        let doubted = doubts.iter().map(|doubt| doubted_of(doubt, Some(&one.name)));
+        all.extend(doubted.map(Sentence::from));
+        let is_offset = |doubt: &MotionDoubt| matches!(doubt, MotionDoubt::Offset { .. });
         let of = &one.measures;
-        base_line_drifts([of.last_displacement_m, of.peak_displacement_m])
-    });
-    let said = drifting.map(|one| Measured::Drifts {
-        name: one.name.clone(),
-        away: Quantity::new(one.measures.last_displacement_m, Unit::si("m"), Digits::Fixed(3)),
-    });
-    said.map(Sentence::from).collect()
+        if !doubts.iter().any(is_offset) && base_line_drifts([of.last_displacement_m, of.peak_displacement_m])
+        {
+            let drifting = Measured::Drifts {
+                name: one.name.clone(),
+                away: Quantity::new(of.last_displacement_m, Unit::si("m"), Digits::Fixed(3)),
+            };
+            all.push(drifting.into());
+        }
+    }
+    all
 }

@@ -48,6 +48,10 @@ messages! {
             en: "PROBABLY A SLIP: with {component} the ground ends {away} away, farther than in any earthquake. Its acceleration has an offset: take it off with --baseline or --high-pass.",
             ko: "입력 오류 의심: {component} 성분에서 지반이 {away} 떨어진 곳에서 멈추며 어떤 지진에서도 이만큼 이동하지 않는다. 가속도 기록에 영점 오차가 있으므로 --baseline 또는 --high-pass로 제거한다.",
         },
+        TakenOff { peak: Quantity, arias: Quantity } => {
+            en: "Cuts, base line, filters and tapers took off {peak} of the largest acceleration and {arias} of the Arias intensity: the answer is about the motion that is left.",
+            ko: "구간 자르기, 기선 보정, 필터, 테이퍼로 최대가속도의 {peak}, 아리아스 강도의 {arias}이(가) 줄었다. 결과는 남은 지반운동에 대한 것이다.",
+        },
         TurnRadians { degrees: Quantity, meant: Quantity } => {
             en: "PROBABLY A SLIP: it is turned by {degrees}°, a round part of π. If that is in radians, write {meant}.",
             ko: "입력 오류 의심: {degrees}° 회전하였으며 이는 π의 배수이다. 라디안이라면 {meant}°로 적는다.",
@@ -76,6 +80,11 @@ pub(crate) fn motion_section(document: &mut Document<'_>, answer: &MotionAnswer)
 
 /// A probable mistake in a motion, and the likely fix.
 pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
+    doubted_of(doubt, None)
+}
+
+/// The same for a series with its own name.
+pub(crate) fn doubted_of(doubt: &MotionDoubt, series: Option<&str>) -> Motion {
     let in_g = |peak_g: f64| {
         let unit = Unit {
             symbol: "g".to_owned(),
@@ -83,7 +92,7 @@ pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
         };
         Quantity::new(peak_g, unit, Digits::Significant(3))
     };
-    let name = |component: Component| component.name().to_owned();
+    let name = |component: Component| series.unwrap_or(component.name()).to_owned();
     match *doubt {
         MotionDoubt::ReadStrong { component, peak_g } => Motion::ReadStrong {
             component: name(component),
@@ -112,6 +121,13 @@ pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
             component: name(component),
             away: Quantity::new(away_m, Unit::si("m"), Digits::Significant(3)),
         },
+        MotionDoubt::TakenOff(off) => {
+            let percent = |share: f64| Quantity::new(share, Unit::percent(), Digits::Fixed(0));
+            Motion::TakenOff {
+                peak: percent(off.peak.max(0.0)),
+                arias: percent(off.arias_intensity.max(0.0)),
+            }
+        }
         MotionDoubt::TurnRadians { degrees } => Motion::TurnRadians {
             degrees: Quantity::ratio(degrees, 4),
             meant: Quantity::ratio(degrees.to_degrees(), 3),

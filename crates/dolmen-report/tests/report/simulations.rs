@@ -60,6 +60,7 @@ fn simulation() -> StackSimulation {
             files: vec![(Component::X, "pulse.csv".into())],
             peaks_read_m_s2: vec![(Component::X, 5.884)],
             turned_rad: None,
+            taken_off: None,
             measured: None,
             motion,
         },

@@ -161,13 +161,15 @@ impl TogetherProblem<'_> {
         let start = tuned.clone();
         rows.push(tuned);
         if movable && has_outlines {
-            rows.push(self.best(&start, &strokes, Freedom::Kept)?);
+            let best = self.best(&start, &strokes, Freedom::Kept)?;
+            rows.push(best.clone());
             let masses = start
                 .dampers
                 .iter()
                 .filter(|damper| self.placed(damper).is_some());
             if self.options.share_mass && masses.count() > 1 {
-                rows.push(self.best(&start, &strokes, Freedom::Free)?);
+                // the wider search starts at the row above, so that it cannot end worse
+                rows.push(self.best(&best, &strokes, Freedom::Free)?);
             }
         }
         Ok(rows)

@@ -1,8 +1,9 @@
 //! Signs that a motion has a wrong unit, step or angle.
 
-use super::acting::MotionAnswer;
+use super::acting::{MotionAnswer, TakenOff, base_line_drifts};
+use super::answer::MotionSeries;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
-use dolmen::signal::{Component, GroundMotion};
+use dolmen::signal::{Component, GroundMotion, last_and_peak_displacement_m};
 use dolmen_project::looks_like_radians;
 
 /// A probable mistake in a motion.
@@ -48,6 +49,8 @@ pub enum MotionDoubt {
         /// Its displacement at the end, m.
         away_m: f64,
     },
+    /// Its changes took off much of it.
+    TakenOff(TakenOff),
     /// Its angle in degrees is a round multiple of π.
     TurnRadians {
         /// The angle, degrees.
@@ -87,6 +90,7 @@ impl MotionAnswer {
             .into_iter()
             .filter(|(_, away_m)| away_m.abs() > AWAY_M);
         doubts.extend(far.map(|(component, away_m)| MotionDoubt::Offset { component, away_m }));
+        doubts.extend(self.taken_off.map(MotionDoubt::TakenOff));
         if let Some(degrees) = self
             .turned_rad
             .map(f64::to_degrees)
@@ -95,6 +99,18 @@ impl MotionAnswer {
             doubts.push(MotionDoubt::TurnRadians { degrees });
         }
         doubts
+    }
+}
+
+impl MotionSeries {
+    /// Signs of a wrong time step or an offset.
+    pub fn doubts(&self) -> Vec<MotionDoubt> {
+        let component = self.component;
+        let end = last_and_peak_displacement_m(&self.motion, component).ok();
+        let far =
+            end.filter(|[last_m, peak_m]| last_m.abs() > AWAY_M && base_line_drifts([*last_m, *peak_m]));
+        let offset = far.map(|[away_m, _]| MotionDoubt::Offset { component, away_m });
+        step(&self.motion, component).into_iter().chain(offset).collect()
     }
 }
 

@@ -5,12 +5,15 @@ use super::demand::{Demand, demand, range};
 use super::error::MotionRequestError;
 use super::prepare::{acceleration_m_s2, changed_alone, motion_alone, motion_options};
 use super::request::MotionRequest;
+use super::wanted_file::{given_files, typed_columns};
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{
     Component, GroundMotion, Noise, Processing, PulseShape, SpectralOrdinate, SpectrumMatch, SpectrumMisfit,
     intensity_measures, match_spectrum, noise_motion, pulse, pulse_periods_s, response_spectrum,
 };
-use dolmen_records::motions::read_channels;
+use dolmen_records::motions::{
+    ComponentReading, MotionOptions as ReadOptions, read_channels, read_component,
+};
 
 /// Number of periods of a spectrum, evenly spaced in their logarithm, and their range, s. Our choice.
 const PERIODS: usize = 200;
@@ -143,10 +146,14 @@ fn read(
 ) -> Result<(), WorkError> {
     let told = motion_options(request)?;
     let mut channels = 0;
-    for file in &request.files {
-        let found = read_channels(&file.bytes, &told).within(|| file.name.clone())?;
-        channels = channels.max(found.len());
-        report.files.push((file.name.clone(), found));
+    if request.columns.is_empty() {
+        for file in &request.files {
+            let found = read_channels(&file.bytes, &told).within(|| file.name.clone())?;
+            channels = channels.max(found.len());
+            report.files.push((file.name.clone(), found));
+        }
+    } else {
+        report.files = named_columns(request, &told)?;
     }
     let are_told =
         request.channel.is_some() || request.x_azimuth_deg.is_some() || !request.columns.is_empty();
@@ -173,6 +180,27 @@ fn read(
     }
     motions.extend(moving(&motion_alone(request)?.motion));
     Ok(())
+}
+
+/// Each file with the columns that the request names: its other columns may measure something else.
+fn named_columns(
+    request: &MotionRequest,
+    told: &ReadOptions,
+) -> Result<Vec<(String, Vec<ComponentReading>)>, WorkError> {
+    let mut files: Vec<(String, Vec<ComponentReading>)> = Vec::new();
+    for file in typed_columns(given_files(&request.files)?, &request.columns)? {
+        let told = ReadOptions {
+            channel: file.channel.or_else(|| told.channel.clone()),
+            ..told.clone()
+        };
+        let bytes = file.bytes.unwrap_or_default();
+        let found = read_component(&bytes, &told).within(|| file.name.clone())?;
+        match files.iter_mut().find(|(name, _)| *name == file.name) {
+            Some((_, channels)) => channels.push(found),
+            None => files.push((file.name, vec![found])),
+        }
+    }
+    Ok(files)
 }
 
 /// The components of a motion, without those that a rotation leaves at rest: after a quarter turn, the old axis.

@@ -14,7 +14,7 @@ mod sequence;
 mod suite;
 mod wanted_file;
 
-pub use acting::{MotionAnswer, base_line_drifts};
+pub use acting::{MotionAnswer, TakenOff, base_line_drifts};
 pub use answer::{MatchAnswer, MotionReport, MotionSeries};
 pub use demand::{Demand, RANGE_S, range_of_structure};
 pub use doubt::MotionDoubt;

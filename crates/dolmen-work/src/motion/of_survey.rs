@@ -88,6 +88,7 @@ pub(super) fn of_survey(name: &str, project: &Project, files: &dyn Files) -> Res
     Ok(MotionAnswer {
         peaks_read_m_s2: peaks.map(|of| (of, motion.component_peak_m_s2(of))).collect(),
         turned_rad: None,
+        taken_off: None,
         files,
         measured: Some(Arc::new(MeasuredResponse {
             survey: name.to_owned(),

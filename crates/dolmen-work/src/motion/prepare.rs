@@ -1,6 +1,6 @@
 //! Prepares requested ground motions: built-in or from files, then changed step by step.
 
-use super::acting::MotionAnswer;
+use super::acting::{MotionAnswer, TakenOff};
 use super::error::MotionRequestError;
 use super::of_survey::{SURVEY, of_survey};
 use super::request::{GivenFile, MotionRequest};
@@ -9,8 +9,8 @@ use crate::error::{Within as _, WorkError};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
 use dolmen_project::{MotionPart, MotionSize, MotionSource, Project, Structure};
 use dolmen_records::motions::{
-    ComponentSource, Lengths, MotionError, MotionOptions, Response, StatedPeak, read_columns_as, read_motion,
-    read_oriented, responses,
+    ComponentSource, Lengths, MotionError, MotionOptions, ReadFor, Response, StatedPeak, read_columns_as,
+    read_motion, read_oriented, responses,
 };
 use dolmen_records::records::Unit;
 use dolmen_records::{FileError, Files, MOTION_BYTES_MOST};
@@ -90,7 +90,8 @@ pub(crate) fn changed_alone(
         files: Vec::new(),
         ..request.clone()
     };
-    changed(motion, &wanted(&told, None)?)
+    let wanted = wanted(&told, None)?;
+    placed(trimmed(motion, &wanted)?, &wanted)
 }
 
 fn ready(request: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<MotionAnswer, WorkError> {
@@ -116,7 +117,9 @@ fn ready(request: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<M
         },
         MotionOrigin::Files(named) => from_files(named, &wanted, project)?,
     };
-    answer.motion = changed(answer.motion, &wanted)?;
+    let trimmed = trimmed(answer.motion.clone(), &wanted)?;
+    answer.taken_off = TakenOff::between(&answer.motion, &trimmed);
+    answer.motion = placed(trimmed, &wanted)?;
     if let Some(own) = wanted
         .part
         .as_deref()
@@ -268,6 +271,7 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
     MotionAnswer {
         peaks_read_m_s2: peaks.collect(),
         turned_rad: None,
+        taken_off: None,
         measured: None,
         motion,
         files,
@@ -342,6 +346,10 @@ fn from_files(
             None => None,
         },
         time_step_s: wanted.sample_step_s,
+        read_for: match wanted.acts {
+            true => ReadFor::Shaking,
+            false => ReadFor::Looking,
+        },
         ..wanted.read.clone()
     };
     if read.responses.is_empty() {
@@ -401,13 +409,17 @@ fn from_files(
     Ok(of_files(motion, of_each))
 }
 
-/// Cuts, corrects the base line, filters, tapers, scales and rotates, in this order; for structures that move in one plane it rotates first and
-/// scales the acting component.
-fn changed(mut motion: GroundMotion, wanted: &MotionSettings) -> Result<GroundMotion, WorkError> {
-    let place = |flag: &'static str, key: &str| match &wanted.part {
+/// A flag, and the key of the project file that has the same effect.
+fn place_of(wanted: &MotionSettings, flag: &'static str, key: &str) -> String {
+    match &wanted.part {
         Some(part) => format!("{flag}, {part}.{key}"),
         None => flag.to_owned(),
-    };
+    }
+}
+
+/// Cuts, corrects the base line, filters and tapers, in this order.
+fn trimmed(mut motion: GroundMotion, wanted: &MotionSettings) -> Result<GroundMotion, WorkError> {
+    let place = |flag: &'static str, key: &str| place_of(wanted, flag, key);
     if let Some(seconds) = wanted.keep_first_s {
         motion = motion
             .keep_first(seconds)
@@ -427,6 +439,12 @@ fn changed(mut motion: GroundMotion, wanted: &MotionSettings) -> Result<GroundMo
     if let Some(seconds) = wanted.taper_s {
         motion = motion.tapered(seconds).within(|| place("--taper", "taper_s"))?;
     }
+    Ok(motion)
+}
+
+/// Scales and rotates; for structures that move in one plane it rotates first and scales the acting component.
+fn placed(motion: GroundMotion, wanted: &MotionSettings) -> Result<GroundMotion, WorkError> {
+    let place = |flag: &'static str, key: &str| place_of(wanted, flag, key);
     let turned = |motion: GroundMotion| -> Result<GroundMotion, WorkError> {
         match wanted.turn_rad {
             Some(angle_rad) => motion.rotated(angle_rad).within(|| place("--turn", "turn")),

@@ -19,6 +19,7 @@ pub(crate) fn in_sequence(
         files: [first.files, second.files].concat(),
         peaks_read_m_s2: [first.peaks_read_m_s2, second.peaks_read_m_s2].concat(),
         turned_rad: first.turned_rad,
+        taken_off: first.taken_off,
         measured: None, // a measured response to one motion does not apply to both
     };
     Ok((answer, both.still_s))

@@ -10,7 +10,7 @@ use dolmen::signal::{
     Component, GroundMotion, MatchedMotion, SpectralOrdinate, SpectrumMatch, SpectrumMisfit, SuiteCandidate,
     SuiteRule, is_same_shaking, match_spectrum, motion_suite, response_spectrum,
 };
-use dolmen_records::motions::{ComponentReading, Orientation, Origin, origin, read_channels};
+use dolmen_records::motions::{ComponentReading, MotionError, Orientation, Origin, origin, read_channels};
 use dolmen_records::{Files, MOTION_BYTES_MOST};
 use dolmen_words::message::Both;
 use std::collections::BTreeSet;
@@ -243,6 +243,11 @@ impl ReadFiles {
                 };
                 if matches!(reading.orientation, Some(Orientation::Up | Orientation::Down)) {
                     not_taken.push((place, NotTaken::Vertical));
+                    continue;
+                }
+                if reading.is_borehole {
+                    let why = told_both(&WorkError::from(MotionError::Borehole { component: "x" }));
+                    not_taken.push((place, NotTaken::Refused { why }));
                     continue;
                 }
                 let samples = |of: &ComponentReading| (of.acceleration_m_s2.clone(), of.time_step_s);

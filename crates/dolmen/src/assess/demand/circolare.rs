@@ -142,7 +142,7 @@ pub fn circolare_demand(
     site: &SiteDemand,
 ) -> Option<LocalMechanismDemand> {
     let ground_m_s2 = site.peak_ground_acceleration_m_s2?;
-    let damping_ratio = site.damping_ratio_of(Some(DAMPING_RATIO));
+    let damping_ratio = site.spectrum.table_damping_ratio().unwrap_or(DAMPING_RATIO);
     let by_displacement = capacity.displacement.and_then(|displacement| {
         let period_s = displacement.period_s;
         let acceleration_m_s2 = site.spectrum.acceleration_m_s2(period_s, damping_ratio).ok()?;

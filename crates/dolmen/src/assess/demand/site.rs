@@ -133,11 +133,10 @@ impl SiteDemand {
         }
     }
 
-    /// Damping ratio at which the spectrum is read for a structure: its own damping ratio if it has one, otherwise that of the site. A table is
-    /// valid only for its own damping ratio.
+    /// Damping ratio at which the spectrum is read for a structure: its own damping ratio if it has one, otherwise that of the site. A table
+    /// refuses any ratio but its own.
     pub fn damping_ratio_of(&self, own: Option<f64>) -> f64 {
-        let of_table = self.spectrum.table_damping_ratio();
-        of_table.or(own).unwrap_or(self.damping_ratio)
+        own.unwrap_or(self.damping_ratio)
     }
 
     /// The selected return period, years; `None` if the code has one or no return period.
