@@ -35,7 +35,7 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
 }
 
 /// The file in a folder that is probably its project: Project.toml, project.toml.txt, or the only TOML file.
-fn likely_project(folder: &Path) -> Option<String> {
+pub(crate) fn likely_project(folder: &Path) -> Option<String> {
     let mut names = beside(&folder.join("project.toml"));
     names.retain(|name| folder.join(name).is_file());
     names.sort();

@@ -1,5 +1,6 @@
 //! Several projects in a folder or a table.
 
+use crate::files::likely_project;
 use crate::wrong::{PathError, of_folders};
 use crate::{Access, Found, journals_beside, read};
 use anyhow::{Context as _, Result};
@@ -35,7 +36,9 @@ pub fn portfolio(source: &Path, sheet: Option<&str>, access: Access) -> Result<P
     let mut rows = Vec::new();
     for entry in entries {
         let path = entry?.path();
-        if path.join(PROJECT).is_file() {
+        // a folder with a file that may be meant is a row, so that it is refused with the reason
+        let is_likely = || path.is_dir() && likely_project(&path).is_some();
+        if path.join(PROJECT).is_file() || is_likely() {
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
             rows.push(row(name.unwrap_or_default()));
         }

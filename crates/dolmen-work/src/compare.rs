@@ -393,7 +393,10 @@ mod tests {
         let said = message(&two, Some("before"), Some("afer"));
         assert!(said.starts_with("there is no survey \"afer\""), "{said}");
         let said = message(&two, Some("after"), Some("after"));
-        assert_eq!(said, "survey \"after\" cannot be compared with itself");
+        assert_eq!(
+            said,
+            "survey \"after\" cannot be compared with itself: name an earlier one with --from, or a later one with --to"
+        );
         assert_eq!(date("201904"), None);
         assert_eq!(date("2019-13"), Some([2019, 0, 0]));
     }

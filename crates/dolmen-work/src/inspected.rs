@@ -2,6 +2,7 @@
 
 use crate::compared_readings::DamageKey;
 use crate::survey_dates::{date, day_of};
+use crate::tilts_read::NEAR_FROM;
 use dolmen::monitoring::{
     ANSWERED_DAYS, GrowthOptions, GrowthSeries, MonitoringError, TiltTrend, WatchOptions, growth,
 };
@@ -105,6 +106,29 @@ pub struct WatchedDamage {
     pub is_in_last: bool,
 }
 
+/// Growth of a damage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Grown {
+    /// The inspection of the first reading.
+    pub from: usize,
+    /// Last size minus first size, m.
+    pub by_m: f64,
+    /// Its standard deviation, m.
+    pub sd_m: f64,
+}
+
+impl Grown {
+    /// Whether it grew by more than this number of standard deviations.
+    pub fn is_beyond(&self, deviations: f64) -> bool {
+        self.by_m > deviations * self.sd_m
+    }
+}
+
+/// Fewest readings whose differences show their scatter. Our choice.
+const SCATTER_FROM: usize = 4;
+/// Ratio of the standard deviation to the median absolute deviation of normal values.
+const OF_MEDIAN: f64 = 1.4826;
+
 impl WatchedDamage {
     /// The last measured size.
     pub fn last(&self) -> Option<&SizeRead> {
@@ -132,10 +156,49 @@ impl WatchedDamage {
             .max_by(|a, b| a.size_m.total_cmp(&b.size_m))
     }
 
-    /// Growth from the first reading to the last, m, and its standard deviation from the error of reading.
-    pub fn grown_m(&self) -> Option<(f64, f64)> {
-        let (first, last) = (self.readings.first()?, self.readings.last()?);
-        (self.readings.len() > 1).then(|| (last.size_m - first.size_m, first.sd_m.hypot(last.sd_m)))
+    /// The size over its limit.
+    pub fn share_of_limit(&self) -> Option<f64> {
+        self.limit_m
+            .zip(self.size_to_judge_m())
+            .map(|(limit, size)| size / limit)
+    }
+
+    /// Whether it has reached [`NEAR_FROM`] of its limit, but not the limit.
+    pub fn is_near(&self) -> bool {
+        let is_open = !self.is_repaired && !self.is_beyond();
+        is_open && self.share_of_limit().is_some_and(|share| share >= NEAR_FROM)
+    }
+
+    /// Growth from the first reading since the last repair to the last one; `None` for fewer than two readings.
+    ///
+    /// ```text
+    /// σ² = σ_first² + σ_last², each at least d²/2      d: lower median of the differences of successive readings × 1.4826, from four readings on
+    /// ```
+    ///
+    /// The median of the differences is the scatter of the readings, which one or two steps do not change.
+    pub fn grown(&self) -> Option<Grown> {
+        let since: Vec<&SizeRead> = self
+            .readings
+            .iter()
+            .filter(|read| read.day > self.repaired_on)
+            .collect();
+        let [first, .., last] = since.as_slice() else {
+            return None;
+        };
+        let mut steps: Vec<f64> = since
+            .windows(2)
+            .map(|pair| (pair[1].size_m - pair[0].size_m).abs())
+            .collect();
+        steps.sort_by(f64::total_cmp);
+        let scatter = match since.len() >= SCATTER_FROM {
+            true => OF_MEDIAN * steps[(steps.len() - 1) / 2] / 2f64.sqrt(),
+            false => 0.0,
+        };
+        Some(Grown {
+            from: first.inspection,
+            by_m: last.size_m - first.size_m,
+            sd_m: first.sd_m.max(scatter).hypot(last.sd_m.max(scatter)),
+        })
     }
 
     /// Whether its severity is worse than in the previous inspection that lists it.
@@ -302,4 +365,52 @@ fn damage(
             .fold(f64::NEG_INFINITY, f64::max),
         is_in_last: last_entry + 1 == inspections.len(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::opened::Opened;
+    use dolmen_records::NoFiles;
+
+    fn crack(sizes: &[f64], limit: &str) -> WatchedDamage {
+        let survey = |(i, size): (usize, &f64)| {
+            let item =
+                format!("part = \"base\", what = \"crack\", name = \"C1\", size = \"{size} mm\"{limit}");
+            format!("[survey.{}-05-01]\ninspections = [ {{ {item} }} ]\n", 2010 + i)
+        };
+        let text = format!(
+            "schema = 1\nkind = \"survey\"\nname = \"P\"\n{}",
+            sizes.iter().enumerate().map(survey).collect::<String>()
+        );
+        let opened = Opened::read(text, "p".to_owned(), &NoFiles).unwrap();
+        let found = inspected(&opened.project, &[], None).unwrap();
+        found.damages[0].clone()
+    }
+
+    #[test]
+    fn holds_a_crack_that_grew_tenfold_is_told_by_any_number_of_readings() {
+        for before in 1..12 {
+            for after in 1..4 {
+                let sizes: Vec<f64> = (0..before + after)
+                    .map(|i| if i < before { 0.4 } else { 4.0 })
+                    .collect();
+                let found = crack(&sizes, "");
+                let is_told = found.trend.last_off.is_some()
+                    || !found.trend.changes.is_empty()
+                    || found.trend.is_beyond_chance()
+                    || found.grown().is_some_and(|grown| grown.is_beyond(1.96));
+                assert!(is_told, "{before} {after}: {found:?}");
+            }
+            // a tenth of a millimetre is the last digit
+            let steady: Vec<f64> = (0..before + 2).map(|i| 0.4 + 0.1 * f64::from(i % 2)).collect();
+            assert!(!crack(&steady, "").grown().unwrap().is_beyond(1.96), "{steady:?}");
+        }
+    }
+
+    #[test]
+    fn exact_a_crack_is_near_its_limit_from_nine_tenths_on() {
+        let near = |last: f64| crack(&[2.0, last], ", limit = \"3 mm\"").is_near();
+        assert_eq!([2.6, 2.72, 2.9, 3.0].map(near), [false, true, true, false]);
+    }
 }

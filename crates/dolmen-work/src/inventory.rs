@@ -2,6 +2,7 @@
 
 use crate::last_off::LastFarOff;
 use crate::part_limit::Part;
+use crate::watch_doubts::NotKnown;
 use crate::watched::WatchAnswer;
 use dolmen::assess::PartFit;
 use dolmen::monitoring::TiltSlope;
@@ -110,6 +111,8 @@ pub struct History {
     pub last_off: Option<LastFarOff>,
     /// The most important tilt.
     pub tilt: Option<NearestTilt>,
+    /// Why it is not known to be sound though nothing was found; empty if it is.
+    pub not_known: Vec<NotKnown>,
 }
 
 /// A structure of an inventory.
@@ -165,13 +168,22 @@ impl InventoryLine {
         is_open && !self.is_alarming()
     }
 
-    /// Open alarms and tilts beyond their limit first, then changes without a response, then the others, then structures without a history.
+    /// Whether nothing was found in it, but it is not known to be sound: no history, or one that shows little.
+    pub fn is_not_known(&self) -> bool {
+        let is_quiet = !self.is_alarming() && !self.is_to_watch();
+        let history = self.history.as_ref();
+        is_quiet && history.is_none_or(|history| !history.not_known.is_empty())
+    }
+
+    /// Open alarms and tilts beyond their limit first, then changes without a response, then other changes, then structures that are not known to be
+    /// sound, then the others.
     fn rank(&self) -> u8 {
         match &self.history {
             Some(_) if self.is_alarming() => 0,
             Some(history) if history.is_change_open => 1,
             Some(history) if history.change.is_some() => 2,
             None => 3,
+            Some(history) if !history.not_known.is_empty() => 3,
             Some(_) => 4,
         }
     }
@@ -220,6 +232,7 @@ impl History {
             lean_beyond: answer.lean_beyond(),
             is_change_open: answer.has_unanswered_change() || answer.is_log_off(),
             last_off: answer.last_far_off().first().copied(),
+            not_known: answer.not_known(),
             change: strongest.map(|(mode, change)| StrongestChange {
                 frequency_hz: mode.track.frequency_hz,
                 ratio: change.ratio,

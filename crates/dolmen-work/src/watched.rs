@@ -294,7 +294,21 @@ impl WatchAnswer {
             limit: Some(beyond.limit),
             years: None,
         });
-        leans.into_iter().map(|(lean, _)| lean).chain(alone).collect()
+        let latest = self.latest_tilts();
+        let judged = leans.into_iter().map(|(lean, _)| {
+            let mut read = latest.iter().filter(|read| read.is_beyond());
+            // a newest reading beyond the limit counts, even if the regression is below it
+            let beyond = read.find(|of| of.datum == lean.datum && of.directions == lean.directions);
+            match beyond {
+                Some(read) => LeanNow {
+                    size: lean.size.max(read.ratio.abs()),
+                    years: None,
+                    ..lean
+                },
+                None => lean,
+            }
+        });
+        judged.chain(alone).collect()
     }
 }
 
@@ -305,7 +319,8 @@ pub struct LeanNow {
     pub datum: Option<String>,
     /// The directions.
     pub directions: Vec<String>,
-    /// Horizontal over vertical, without a sign: from the trends, without the season, or from the last readings if there is no trend.
+    /// Horizontal over vertical, without a sign: from the trends, without the season, or from the last readings if there is no trend, or if these are
+    /// beyond the limit.
     pub size: f64,
     /// Its limit.
     pub limit: Option<f64>,

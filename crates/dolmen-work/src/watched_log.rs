@@ -1,5 +1,6 @@
 //! Results of a log of the project.
 
+use crate::tilts_read::NEAR_FROM;
 use dolmen::monitoring::LoggedTrend;
 use dolmen_project::{LogKind, LogPart};
 
@@ -42,6 +43,16 @@ impl WatchedLog {
     /// Whether it is at its limit.
     pub fn is_beyond(&self) -> bool {
         self.trend.is_beyond_limit()
+    }
+
+    /// Whether the readings have reached [`NEAR_FROM`] of their limit, but not the limit.
+    pub fn is_near(&self) -> bool {
+        let judged = self.trend.size_to_judge();
+        let share = self.trend.limit.map(|limit| match limit.is_one_sided {
+            true => judged / limit.size,
+            false => (judged / limit.size).abs(),
+        });
+        !self.is_beyond() && share.is_some_and(|share| share >= NEAR_FROM)
     }
 
     /// The last day with a reading, if other data are newer by a week and by five usual intervals of the log.

@@ -4,12 +4,12 @@ use super::doubts::doubts;
 use super::events_between::{between, fitted_through};
 use super::history;
 use super::parts;
-use super::quantities::{bare_percent, hertz, percent, plus};
+use super::quantities::{bare_percent, hertz, percent, plus, temperature};
 use super::readings;
 use super::temperature::known;
 use crate::document::{Finding, Tone};
-use dolmen::assess::{Difference, ModeChange, SurveyChange};
-use dolmen_project::{Survey, date_of};
+use dolmen::assess::{Difference, ModeChange, SurveyChange, TemperatureKnowledge};
+use dolmen_project::{Survey, TemperaturePart, date_of};
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::answer::CompareAnswer;
 use dolmen_work::surveyed::ModesOf;
@@ -39,6 +39,18 @@ messages! {
         },
         OneFrequency => { en: "1 frequency", ko: "고유진동수 1개" },
         Frequencies { count: usize } => { en: "{count} frequencies", ko: "고유진동수 {count}개" },
+        Reversed { from: String, to: String } => {
+            en: "THE ORDER IS REVERSED: survey {from}, which the changes count from, is later than {to}. A fall reads as a rise: exchange --from and --to.",
+            ko: "순서가 반대이다: 변화의 기준으로 삼은 {from} 조사가 {to} 조사보다 나중이다. 감소가 증가로 나타나므로 --from과 --to를 바꾼다.",
+        },
+        ByCoefficient { frequency: Quantity, sign: String, measured: Quantity, sign_of: String, explained: Quantity, step: Quantity } => {
+            en: "{frequency}: {sign}{measured} was measured, of which the coefficient of the file explains {sign_of}{explained} by the {step} between the surveys; what follows is about the rest.",
+            ko: "{frequency} 모드의 측정된 변화는 {sign}{measured}이며, 그중 {sign_of}{explained}은(는) 파일의 온도 계수로 두 조사의 기온 차 {step}에 의한 것이다. 아래는 나머지에 대한 것이다.",
+        },
+        RisesWithHeat { per_c: Quantity } => {
+            en: "The coefficient of the file, {per_c} per °C, says that frequencies rise with the temperature. Most masonry and timber do the opposite: is its sign right?",
+            ko: "파일의 온도 계수 1 °C당 {per_c}은(는) 기온이 오르면 고유진동수가 커진다는 뜻이다. 석조와 목조는 대부분 반대이다. 부호가 맞는가?",
+        },
         Damping { from: String, to: String, changed: usize, tested: Sentence, alpha: Quantity, each: Vec<Sentence>, why: Sentence } => {
             en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together): {each}. Damping follows the strength of the motion too; {why}.",
             ko: "{from} 조사에서 {to} 조사까지 {tested} 중 {changed}개가 유의하게 변하였다(전체 유의수준 {alpha}): {each}. 감쇠비는 진동의 세기에 따라서도 변한다. {why}.",
@@ -123,6 +135,10 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
         return all;
     };
     all.splice(0..0, doubts(change));
+    all.splice(
+        0..0,
+        reversed(answer).into_iter().chain(by_coefficient(answer, change)),
+    );
     all.extend(damping(change));
     all.push(frequencies(change));
     all.extend(answer.history.as_ref().map(|of| history::finding(of, change)));
@@ -140,6 +156,54 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
         all.push(Finding::key(Tone::Unknown, known(change)));
     }
     all
+}
+
+/// Finding that the survey to count from is the later one.
+fn reversed(answer: &CompareAnswer) -> Option<Finding> {
+    let (from, to) = (answer.from.clone(), answer.to.clone());
+    let is_later = date_of(&from)
+        .zip(date_of(&to))
+        .is_some_and(|(from, to)| from > to);
+    is_later.then(|| Finding::key(Tone::Warn, Found::Reversed { from, to }))
+}
+
+/// Least part that a coefficient of the file explains, from which the measured change has a finding. Our choice.
+const EXPLAINED_FROM: f64 = 0.01;
+
+/// What the coefficient of the file explains, in the mode in which that is most; and a question on its sign.
+fn by_coefficient(answer: &CompareAnswer, change: &SurveyChange) -> Vec<Finding> {
+    let TemperaturePart::Coefficient { per_c, .. } = &answer.project.change.temperature else {
+        return Vec::new();
+    };
+    let explained = |mode: &&ModeChange| mode.explained_by_temperature.filter(|_| mode.history.is_none());
+    let modes = change.modes.iter().filter(|mode| explained(mode).is_some());
+    let most = modes.max_by(|a, b| {
+        let of = |mode| explained(mode).unwrap_or(0.0).abs();
+        of(a).total_cmp(&of(b))
+    });
+    let said = most.and_then(|mode| {
+        let share = explained(&mode).filter(|share| share.abs() >= EXPLAINED_FROM)?;
+        let TemperatureKnowledge::Corrected { step_c } = change.temperature else {
+            return None;
+        };
+        let measured = mode.to.frequency_hz / mode.from.frequency_hz - 1.0;
+        Some(Found::ByCoefficient {
+            frequency: hertz(mode.from.frequency_hz),
+            sign: plus(measured),
+            measured: percent(measured, 1),
+            sign_of: plus(share),
+            explained: percent(share, 1),
+            step: temperature(step_c),
+        })
+    });
+    let is_used = said.is_some();
+    let rises = (is_used && *per_c > 0.0).then(|| Found::RisesWithHeat {
+        per_c: percent(*per_c, 2),
+    });
+    let said = said.map(|said| Finding::key(Tone::Plain, said));
+    said.into_iter()
+        .chain(rises.map(|said| Finding::key(Tone::Unknown, said)))
+        .collect()
 }
 
 fn frequencies(change: &SurveyChange) -> Finding {

@@ -29,8 +29,12 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             "began_hz": lost.began_hz,
         })
     });
+    let unseen = watched.unseen.iter().map(|of| {
+        as_json!({ "mode": of.mode + 1, "frequency_hz": frequency(of.mode), "last_found": name(of.last) })
+    });
     as_json!({
         "modes_lost": lost.collect::<Vec<_>>(),
+        "modes_unseen": unseen.collect::<Vec<_>>(),
         "is_mode_lost": watched.is_mode_lost(),
         "project": project(&answer.project, &answer.file),
         "surveys": answer.surveys.iter().map(|survey| as_json!({
@@ -66,6 +70,14 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
         "leans": answer.leans().iter().map(|lean| as_json!({
             "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),
+        })).collect::<Vec<_>>(),
+        "latest_tilts": answer.latest_tilts().iter().map(|read| as_json!({
+            "survey": name(read.survey), "datum": read.datum, "directions": read.directions, "tilt": read.ratio,
+            "share_of_limit": read.share_of_limit(),
+        })).collect::<Vec<_>>(),
+        "tilts_were_beyond": answer.tilts_were_beyond().iter().map(|of| as_json!({
+            "survey": name(of.largest.survey), "datum": of.largest.datum, "directions": of.largest.directions,
+            "tilt": of.largest.ratio, "readings": of.count,
         })).collect::<Vec<_>>(),
         "temperatures_of_log": answer.temperatures_of_log,
         "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
@@ -253,7 +265,7 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
         "outliers": trend.outliers.iter().map(|of| as_json!({
             "date": date(of.at), "tilt": trend.series.ratios.get(of.at), "expected": of.expected,
         })).collect::<Vec<_>>(),
-        "last_off": trend.last_off.map(|of| as_json!({ "date": date(of.from), "expected": of.expected, "sd": of.sd })),
+        "last_off": trend.last_off.map(|of| as_json!({ "date": date(of.from), "expected": of.expected, "sd": of.sd, "p_value": of.p_value })),
         "works": trend.works.iter().map(|of| as_json!({ "work": of.work + 1, "change": of.size, "sd": of.sd })).collect::<Vec<_>>(),
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),

@@ -7,6 +7,7 @@ use crate::limits::part_words;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::inventory::{ExplainingPart, History, InventoryLine};
+use dolmen_work::watch_doubts::NotKnown;
 use serde_json::Value;
 
 /// Rows on a terminal without --full.
@@ -19,6 +20,16 @@ messages! {
             en: "Structures with an open alarm or a tilt or crack beyond its limit: {alarming} of {structures}, the worst first. Without an alarm, but changed or off in the last survey, and nobody looked since: {to_watch}; measure these again soon. A change is the strongest lasting one of any mode; off is how far the last survey lies from what those before it predict.",
             ko: "조치되지 않은 경보가 있거나 기울기 또는 균열 폭이 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 경보는 아니나 변화하였거나 마지막 조사가 예측을 벗어났고 이후 보수나 점검이 없는 구조물: {to_watch}기, 곧 다시 계측한다. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이고, 이탈은 마지막 조사가 이전 조사의 예측에서 벗어난 정도이다.",
         },
+        NotKnown { count: usize } => {
+            en: "NOT KNOWN TO BE SOUND though nothing was found: {count}; the column “not known” says why.",
+            ko: "이상이 발견되지 않았으나 건전하다고 볼 수 없는 구조물: {count}기. 이유는 ‘미확인’ 열에 있다.",
+        },
+        NotKnownHead => { en: "not known", ko: "미확인" },
+        NotJudged => { en: "not judged", ko: "판정 못 함" },
+        ModesMissing => { en: "modes missing", ko: "모드 누락" },
+        SurveysLeftOut => { en: "surveys left out", ko: "조사 제외" },
+        SeesLittle => { en: "sees little", ko: "검출력 부족" },
+        Each(each: Vec<Sentence>) => { en: "{each}", ko: "{each}" },
         Structure => { en: "structure", ko: "구조물" },
         Text(text: String) => { en: "{text}", ko: "{text}" },
         Alarms => { en: "alarms", ko: "경보" },
@@ -59,6 +70,23 @@ fn words(text: &str) -> Cell {
     Cell::words(Watched::Text(text.to_owned()))
 }
 
+/// Why a structure is not known to be sound.
+fn not_known(history: &History) -> Cell {
+    let word = |why: &NotKnown| -> Sentence {
+        match why {
+            NotKnown::NotJudged => Watched::NotJudged,
+            NotKnown::ModesMissing => Watched::ModesMissing,
+            NotKnown::SurveysLeftOut => Watched::SurveysLeftOut,
+            NotKnown::SeesLittle => Watched::SeesLittle,
+        }
+        .into()
+    };
+    match history.not_known.is_empty() {
+        true => words("–"),
+        false => Cell::words(Watched::Each(history.not_known.iter().map(word).collect())),
+    }
+}
+
 fn row(structure: &str, history: &History, is_full: bool) -> Vec<Cell> {
     let ratio = |value: f64, unit, digits| Quantity::new(value, unit, digits);
     let count = ratio(history.open_alarms as f64, Unit::ratio(), Digits::Fixed(0));
@@ -83,6 +111,7 @@ fn row(structure: &str, history: &History, is_full: bool) -> Vec<Cell> {
             _ => Cell::Number(tilt.map(|tilt| ratio(1000.0 * tilt.now, Unit::si("mm/m"), Digits::Fixed(1)))),
         },
         words(&history.last_survey),
+        not_known(history),
     ];
     if is_full {
         cells.extend([
@@ -104,6 +133,7 @@ fn columns(is_full: bool) -> Vec<Column> {
         Column::numbers(Watched::Off, Unit::percent()),
         Column::numbers(Watched::Tilt, Unit::si("mm/m")),
         Column::words(Watched::Last),
+        Column::words(Watched::NotKnownHead),
     ];
     if is_full {
         columns.extend([
@@ -180,6 +210,10 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
             .map(|(line, history)| row(&line.structure, history, style.is_full))
             .collect(),
     };
+    let count = lines.iter().filter(|line| line.is_not_known()).count();
+    if count > 0 {
+        document.put(Block::Warning(Watched::NotKnown { count }.into()));
+    }
     document.put(Block::Table(table));
     let left = watched.len().saturating_sub(most);
     if left > 0 {
@@ -215,14 +249,15 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
 pub fn inventory_json(lines: &[InventoryLine]) -> Value {
     let alarming = lines.iter().filter(|line| line.is_alarming()).count();
     let to_watch = lines.iter().filter(|line| line.is_to_watch()).count();
-    as_json!({ "structures": lines, "alarming": alarming, "to_watch": to_watch })
+    let not_known = lines.iter().filter(|line| line.is_not_known()).count();
+    as_json!({ "structures": lines, "alarming": alarming, "to_watch": to_watch, "not_known": not_known })
 }
 
 /// The structures as a table (CSV), with the byte order mark by which Excel recognises UTF-8.
 pub fn inventory_csv(lines: &[InventoryLine]) -> String {
     let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
                 tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond,is_change_open,last_off_ratio,last_off_score,\
-                changed_parts,stiffness_left,stiffness_left_lower,stiffness_left_upper\r\n";
+                changed_parts,stiffness_left,stiffness_left_lower,stiffness_left_upper,not_known\r\n";
     let each = lines.iter().map(|of| {
         let history = of.history.as_ref();
         let change = history.and_then(|history| history.change.as_ref());
@@ -230,6 +265,8 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
         let parts = change.map_or(&[][..], |change| change.explained_by.as_slice());
         let names: Vec<&str> = parts.iter().map(|of| of.part.name()).collect();
         let best = parts.first();
+        let not_known = history.map_or(&[][..], |history| history.not_known.as_slice());
+        let not_known: Vec<&str> = not_known.iter().map(NotKnown::key).collect();
         let whole = |value: Option<usize>| value.map_or_else(String::new, |value| value.to_string());
         line(&[
             quoted(&of.structure),
@@ -256,6 +293,7 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
             number(best.map(|of| of.stiffness_left)),
             number(best.map(|of| of.stiffness_left_lower)),
             number(best.map(|of| of.stiffness_left_upper)),
+            text_cell((!not_known.is_empty()).then(|| not_known.join(" | ")).as_deref()),
         ])
     });
     head.to_owned() + &each.collect::<String>()

@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Document};
 use crate::score::state_name;
-use dolmen::assess::RankedBy;
+use dolmen::assess::{Known, RankedBy};
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::portfolio::{
@@ -49,6 +49,10 @@ messages! {
         FallAlone { name: String, share: Quantity } => {
             en: "{name}: {share} of its scans fall under their own weight, without shaking. Its place counts them: its capacity is the median of all scans, its rate the one that gives the same probability in 50 years",
             ko: "{name}: 증분해석의 {share}이(가) 지진 없이 자중으로 붕괴한다. 순위에는 이를 포함하였으며, 저항능력은 전체의 중앙값, 연간 초과율은 50년 확률이 같은 값이다",
+        },
+        OnlyAtMost { names: Sentence } => {
+            en: "PLACE NOT KNOWN: every scan of {names} reached the state at the smallest size tried, so that its capacity is known from above alone. It may be the worst of all: scan smaller sizes.",
+            ko: "순위를 알 수 없음: {names}의 모든 증분해석이 가장 작은 크기에서 이미 그 상태에 이르러 저항능력의 상한만 안다. 가장 취약할 수도 있으므로 더 작은 크기부터 해석해야 한다.",
         },
         OfVariant { name: String, study: String, variant: String } => {
             en: "{name}: study {study} is of the variant {variant}, not of the structure as it is",
@@ -156,6 +160,21 @@ pub(super) fn fall_alone(answer: &PortfolioAnswer) -> Vec<Sentence> {
     said.map(Sentence::from).collect()
 }
 
+/// Structures whose capacity has an upper bound alone.
+pub(super) fn only_at_most(answer: &PortfolioAnswer) -> Option<Block<'static>> {
+    let open = answer.rows().filter(|(.., known)| known.known == Known::AtMost);
+    let mut names: Vec<String> = open.map(|(_, entry, _)| entry.name.clone()).collect();
+    let more = names.len().saturating_sub(LEFT_OUT_NAMED);
+    names.truncate(LEFT_OUT_NAMED);
+    let names = match (names.len(), more) {
+        (0, _) => return None,
+        (_, 0) => Remarks::Names { names },
+        _ => Remarks::NamesAndMore { names, more },
+    };
+    let names = names.into();
+    Some(Block::Warning(Remarks::OnlyAtMost { names }.into()))
+}
+
 /// Structures whose studies are not of the structure as it is.
 pub(super) fn other_versions(answer: &PortfolioAnswer) -> Vec<Sentence> {
     let mut all = Vec::new();
@@ -218,6 +237,7 @@ fn first(
 pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     document.put(lead(answer));
     document.blocks.extend(rate_warning(answer));
+    document.blocks.extend(only_at_most(answer));
     if !answer.left_out.is_empty() {
         let count = answer.left_out.len();
         document.put(Block::Warning(Remarks::WithoutPlaceBelow { count }.into()));

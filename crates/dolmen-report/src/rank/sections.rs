@@ -23,8 +23,8 @@ messages! {
             ko: "순위 구간은 각 저항능력의 불확실성을 서로 독립으로 {draws}회 추출하여 구하였다.",
         },
         Bounds => {
-            en: "Where a bound stands in place of a capacity, the structure is ranked at the bound.",
-            ko: "저항능력 대신 한계값만 아는 구조물은 그 값으로 순위를 매긴다.",
+            en: "Where a bound stands in place of a capacity, the structure is ranked at the bound; its interval is open on the side that is not known, and its rate is a bound too.",
+            ko: "저항능력 대신 한계값만 아는 구조물은 그 값으로 순위를 매긴다. 순위 구간은 알 수 없는 쪽으로 열려 있으며 초과율도 한계값이다.",
         },
         NoProof => {
             en: "The score puts pagodas into order; it is no proof that one stands.",

@@ -28,6 +28,8 @@ messages! {
         FiftyYears => { en: "in 50 years", ko: "50년 초과확률" },
         WorstTenth => { en: "worst tenth", ko: "최취약 10 %에 들 확률" },
         ByFalls => { en: "by falls alone", ko: "낙하·전도 순위" },
+        AtLeast(value: Quantity) => { en: "≥ {value}", ko: "≥ {value}" },
+        AtMost(value: Quantity) => { en: "≤ {value}", ko: "≤ {value}" },
         More(more: usize) => {
             en: "and {more} more, in ranking.csv (-o DIR).",
             ko: "나머지 {more}기는 ranking.csv 참조(-o DIR).",
@@ -129,17 +131,34 @@ fn capacity(answer: &PortfolioAnswer, (.., known): &Row<'_>) -> Cell {
     }
 }
 
-fn annual_rate(_: &PortfolioAnswer, (place, ..): &Row<'_>) -> Cell {
-    Cell::Number(place.annual_rate.map(|rate| Quantity::ratio(rate, 2)))
+fn annual_rate(_: &PortfolioAnswer, (place, _, known): &Row<'_>) -> Cell {
+    let rate = place.annual_rate.map(|rate| Quantity::ratio(rate, 2));
+    rate.map_or(Cell::Number(None), |rate| of_bound(known, rate))
 }
 
-fn fifty_years(_: &PortfolioAnswer, (place, ..): &Row<'_>) -> Cell {
+fn fifty_years(_: &PortfolioAnswer, (place, _, known): &Row<'_>) -> Cell {
     let probability = place.annual_rate.map(probability_in_years);
-    Cell::Number(probability.map(|share| Quantity::percent(share, 2)))
+    let share = probability.map(|share| Quantity::percent(share, 2));
+    share.map_or(Cell::Number(None), |share| of_bound(known, share))
 }
 
-fn worst_tenth(_: &PortfolioAnswer, (place, ..): &Row<'_>) -> Cell {
-    Cell::number(Quantity::percent(place.worst_tenth, 2))
+fn worst_tenth(_: &PortfolioAnswer, (place, _, known): &Row<'_>) -> Cell {
+    of_bound(known, Quantity::percent(place.worst_tenth, 2))
+}
+
+/// A rate or share with the sign of its bound: from an upper bound of the capacity it is the least.
+fn of_bound(known: &KnownCapacity, value: Quantity) -> Cell {
+    match known.known {
+        Known::Found => Cell::number(value),
+        Known::AtMost => Cell::words(Ranking::AtLeast(bare(value))),
+        Known::AtLeast => Cell::words(Ranking::AtMost(bare(value))),
+    }
+}
+
+/// Without its unit, which stands in the head of the column.
+fn bare(mut value: Quantity) -> Quantity {
+    value.unit.symbol.clear();
+    value
 }
 
 fn by_falls(answer: &PortfolioAnswer, (place, ..): &Row<'_>) -> Cell {

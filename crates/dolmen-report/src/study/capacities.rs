@@ -1,9 +1,9 @@
 //! Capacities by value of each input.
 
 use super::before::{Preceded, is_already};
-use super::words::{Words, both, bounded, g, name, of_all, reached, state, unit_g};
+use super::words::{Words, both, bounded, g, name, of_all, of_case, reached, state, unit_g};
 use crate::document::{Block, Cell, Column, Document, Table};
-use dolmen::assess::Reached;
+use dolmen::assess::{AssessError, FragilityBound, FragilityFit, Reached};
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::study::{LevelRow, SCANS_OF_TAILS, StudyAnswer, StudyKind, input_words};
 
@@ -13,6 +13,10 @@ messages! {
         Milder { each: Vec<Sentence> } => {
             en: "Damage begins earlier. Peak of the ground at which half of the scans reach it: {each}.",
             ko: "손상은 그 전에 시작된다. 증분해석의 절반이 도달하는 최대지반가속도: {each}.",
+        },
+        MilderWeakest { each: Vec<Sentence> } => {
+            en: "Damage begins earlier. Peak of the ground at which half of the scans of the weakest combination reach it: {each}.",
+            ko: "손상은 그 전에 시작된다. 가장 약한 조합에서 증분해석의 절반이 도달하는 최대지반가속도: {each}.",
         },
         HalfFrom { state: Sentence, median: Quantity } => { en: "{state} at {median} or below", ko: "{state} {median} 이하" },
         HalfBefore { state: Sentence, motion: String } => {
@@ -191,8 +195,48 @@ fn is_least_tried(answer: &StudyAnswer, value_m_s2: f64) -> bool {
     answer.kind != StudyKind::Building && value_m_s2 <= least * (1.0 + ROUNDING)
 }
 
+/// The same for several combinations: the one that reaches each state first.
+fn milder_of_weakest(answer: &StudyAnswer) -> Option<Capacities> {
+    let of_state = |of: usize| {
+        let combinations = answer.fragilities().iter();
+        let each = combinations.filter_map(|one| {
+            let own = one.states.iter().find(|own| own.state == of)?;
+            Some((half_m_s2(&own.by_acceleration)?, one.job))
+        });
+        let (least, job) = each.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let state = of_case(answer, state(answer, of), job);
+        let median = g(answer, least);
+        Some(match is_least_tried(answer, least) {
+            true => Capacities::HalfFrom { state, median }.into(),
+            false => Capacities::HalfAt { state, median }.into(),
+        })
+    };
+    let states = (0..milder(answer.kind)).filter(|of| answer.has_state(*of));
+    let each: Vec<Sentence> = states.filter_map(of_state).collect();
+    (!each.is_empty()).then_some(Capacities::MilderWeakest { each })
+}
+
+/// The peak that half of the scans reach a state by: the median of the curve, or the upper end of what is known of it.
+fn half_m_s2(fit: &Result<FragilityFit, AssessError>) -> Option<f64> {
+    let bound = match fit {
+        Ok(fit) => return Some(fit.curve.theta()),
+        Err(AssessError::NoFragility(bound)) => bound,
+        Err(_) => return None,
+    };
+    let most = match bound {
+        FragilityBound::NoneReached { .. } => return None,
+        FragilityBound::AllReached { intensity, .. } => *intensity,
+        FragilityBound::Separated { reached, .. } => *reached,
+        FragilityBound::Middle { at_most, .. } => *at_most,
+    };
+    most.is_finite().then_some(most)
+}
+
 /// Peaks at which half of the scans reach each state before the last, mildest first; `None` if none does.
 pub(super) fn milder_states(answer: &StudyAnswer) -> Option<Capacities> {
+    if answer.fragilities().len() > 1 {
+        return milder_of_weakest(answer);
+    }
     let levels = answer.levels();
     let all = levels
         .iter()

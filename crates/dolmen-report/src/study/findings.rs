@@ -140,6 +140,8 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all.extend(doubts::survived_larger(answer).map(|said| Finding::key(Tone::Plain, said)));
     all.extend(median(answer));
     all.extend(no_finite_rate(answer));
+    let few = scatter::few_samples(answer).into_iter();
+    all.extend(few.map(|said| Finding::key(Tone::Warn, said)));
     let crossings = scatter::crossings(answer, answer.fragilities());
     all.extend(crossings.into_iter().map(|said| Finding::new(Tone::Warn, said)));
     all.extend(hazard::extrapolated(answer).map(|said| Finding::key(Tone::Warn, said)));

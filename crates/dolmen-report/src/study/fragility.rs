@@ -25,8 +25,8 @@ messages! {
         Caption => { en: "Fragility curves, lognormal in the peak acceleration of the ground.", ko: "최대지반가속도의 대수정규분포로 나타낸 취약도." },
         CaptionWithRisk => { en: "Fragility and risk, lognormal in the peak acceleration of the ground.", ko: "최대지반가속도의 대수정규분포로 나타낸 취약도와 위험도." },
         Meaning => {
-            en: "θ is the peak acceleration of the ground that half of the scans reach the state by (θ_v: their peak velocity), β the scatter of its logarithm, each with its 95 % interval; enough: motions by which θ is known to 10 % (one standard error), not said of fewer than 7, of which β is hardly known.",
-            ko: "θ는 증분해석의 절반이 해당 상태에 이르는 최대지반가속도(θ_v는 최대지반속도), β는 대수 표준편차이며 각각의 95 % 신뢰구간을 함께 제시한다. 충분한 수: θ의 표준오차가 10 %가 되는 입력지진의 수이며, β를 거의 알 수 없는 7개 미만에서는 제시하지 않는다.",
+            en: "θ is the peak acceleration of the ground that half of the scans reach the state by (θ_v: their peak velocity), β the scatter of its logarithm, each with its 95 % interval; enough: motions by which θ is known to 10 % (one standard error), not said of fewer than 7, of which β is hardly known, nor where so few samples of the structure were drawn that no number of motions is enough. With samples of uncertain inputs the intervals hold the choice of samples too, where β can be split.",
+            ko: "θ는 증분해석의 절반이 해당 상태에 이르는 최대지반가속도(θ_v는 최대지반속도), β는 대수 표준편차이며 각각의 95 % 신뢰구간을 함께 제시한다. 충분한 수: θ의 표준오차가 10 %가 되는 입력지진의 수이며, β를 거의 알 수 없는 7개 미만이거나 구조물의 표본이 너무 적어 입력지진을 늘려도 부족하면 제시하지 않는다. 불확실한 입력값을 추출한 경우 β를 나눌 수 있으면 신뢰구간에 표본의 선택도 포함한다.",
         },
         RiskMeaning => {
             en: "In brackets the annual rate at the ends of both intervals, open where more than half of it would come from shaking weaker than any of the hazard, or where it would exceed one a year; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",

@@ -16,6 +16,18 @@ messages! {
             en: "{without} of {samples} samples have no curve.",
             ko: "표본 {samples}개 중 {without}개는 곡선이 없다.",
         },
+        OneSample => {
+            en: "ONE DRAW OF THE INPUTS STANDS FOR THE STRUCTURE: medians, β, rates and their intervals are of that draw alone, and another may lie far from it. Set samples to 20 or more.",
+            ko: "입력값을 한 번만 추출한 구조물의 결과: 중앙값, β, 초과율과 그 구간은 이 표본 하나의 것이며 다른 표본은 크게 다를 수 있다. samples를 20 이상으로 한다.",
+        },
+        SamplesNotIn { state: Sentence, samples: usize } => {
+            en: "{state}: the intervals are of the choice of motions alone. What {samples} samples of the structure leave open is not in them, as β cannot be split: take the medians as less certain, and set samples to 20 or more.",
+            ko: "{state}: 구간은 입력지진의 선택만 반영한다. β를 나눌 수 없어 표본 {samples}개로 인한 불확실성은 포함하지 않으므로 중앙값의 신뢰도는 더 낮다. samples를 20 이상으로 한다.",
+        },
+        FewSamples { state: Sentence, samples: usize, lower: Quantity, upper: Quantity } => {
+            en: "{state}: {samples} samples of the structure leave its median at {lower} to {upper} (95 %), and more motions do not help: set samples to 20 or more.",
+            ko: "{state}: 구조물 표본 {samples}개로는 중앙값이 {lower}–{upper}(95 %)까지만 정해지며 입력지진을 늘려도 나아지지 않는다. samples를 20 이상으로 한다.",
+        },
         NotSplit => {
             en: "Where β is not split: fewer than three samples have a curve of their own, more than a tenth of them have none, or both parts together lie outside the interval of β.",
             ko: "β를 나누지 못한 경우는 곡선이 있는 표본이 3개 미만이거나 표본의 10분의 1 넘게 곡선이 없거나 두 값을 합한 것이 β의 신뢰구간을 벗어난 경우이다.",
@@ -50,6 +62,41 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer, shown: 
     for crossing in crossings(answer, shown) {
         document.put(Block::Warning(crossing.into()));
     }
+}
+
+/// Samples too few for the structure: one alone, ones that are not in the intervals, or ones that determine the median less than the motions do.
+pub(super) fn few_samples(answer: &StudyAnswer) -> Vec<Scatter> {
+    let Some(samples) = answer.study.samples else {
+        return Vec::new();
+    };
+    let has_curve = |own: &&StateFragility| own.by_acceleration.is_ok();
+    let all = || {
+        answer
+            .fragilities()
+            .iter()
+            .flat_map(|one| one.states.iter().map(move |own| (one, own)))
+    };
+    if samples == 1 {
+        let is_any = all().any(|(_, own)| has_curve(&own));
+        return is_any.then_some(Scatter::OneSample).into_iter().collect();
+    }
+    let each = all().filter(|(_, own)| has_curve(own)).filter_map(|(one, own)| {
+        let fit = own.by_acceleration.as_ref().ok()?;
+        let state = of_case(answer, state(answer, own.state), one.job);
+        let Some(of) = fit.of_samples else {
+            return Some(Scatter::SamplesNotIn { state, samples });
+        };
+        let of_motions = fit.ln_theta_error_of_motions();
+        let is_few = fit.ln_theta_error > 2f64.sqrt() * of_motions && own.motions_enough().is_none();
+        let interval = fit.theta_interval(CONFIDENCE).ok().filter(|_| is_few)?;
+        Some(Scatter::FewSamples {
+            state,
+            samples: of.samples,
+            lower: g(answer, interval.lower),
+            upper: g(answer, interval.upper),
+        })
+    });
+    each.collect()
 }
 
 fn split(answer: &StudyAnswer, one: &CombinationFragility, own: &StateFragility) -> Vec<Sentence> {

@@ -35,6 +35,10 @@ messages! {
             en: "{input} does not act in these runs: no value of it changes anything in them, and they say nothing about it.",
             ko: "{input}은(는) 이 해석에 작용하지 않는다. 값을 바꾸어도 결과가 같으므로 그 영향은 알 수 없다.",
         },
+        NoneReached { input: Sentence } => {
+            en: "How the capacity depends on {input} cannot be said: none of the scans reached the last state. `fragility.csv` has the milder states of each combination.",
+            ko: "{input}에 따른 내진성능은 알 수 없다. 마지막 상태에 이른 증분해석이 없다. 조합별 더 가벼운 상태는 `fragility.csv`에 있다.",
+        },
         DoesNotAct => { en: "does not act", ko: "작용하지 않음" },
         Holds => { en: "holds", ko: "성립" },
         NotSeen => { en: "not seen", ko: "확인 안 됨" },
@@ -114,9 +118,19 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
 }
 
+/// The state of the capacities whose trends are sought: the fall.
+const LAST_STATE: usize = 3;
+
 /// One sentence per trend.
 pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
+    let last = answer.fragilities().iter().flat_map(|one| &one.states);
+    let mut last = last.filter(|own| own.state == LAST_STATE).peekable();
+    let is_none = last.peek().is_some() && last.all(|own| own.reached() == 0);
     let one = |trend: &TrendAnswer| {
+        if is_none && trend.acts {
+            let input = input(answer, trend);
+            return Finding::key(Tone::Unknown, Trends::NoneReached { input });
+        }
         if !trend.acts {
             let input = input(answer, trend);
             return Finding::key(Tone::Warn, Trends::CannotAct { input });

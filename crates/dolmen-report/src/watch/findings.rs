@@ -1,16 +1,19 @@
 //! Findings of a history.
 
 use super::cause::{Cause, cause};
+use super::doubts::{are_there, doubts, undated};
 use super::earthquakes::earthquakes;
 use super::exchanged::exchanged;
 use super::failing::failing;
 use super::inspected::inspected;
 use super::last::{far_off, last_off, last_survey};
+use super::latest::{latest_tilts, tilts_were_beyond};
 use super::logs::logs;
-use super::lost::{last_apart, lost, wandering};
+use super::lost::{last_apart, lost, unseen, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use super::parts::{model_apart, parts};
-use super::tilts::{changed, leans, reaches, stands_alone, tilt, worked};
+use super::sensors_moved::sensors;
+use super::tilts::{changed, leans, mark_apart, reaches, stands_alone, tilt, worked};
 use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect};
@@ -56,8 +59,8 @@ messages! {
             ko: "아직 판정할 수 있는 조사가 없다. 조사가 {needed}회 이상이어야 한다(지금 {surveys}회).",
         },
         NoneJudged { training: usize } => {
-            en: "No survey was judged against those before it: that needs more than {training} surveys.",
-            ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정하려면 그 전의 조사가 {training}회 이상 있어야 한다.",
+            en: "No survey was judged against those before it: that needs more than {training} surveys before it, with its modes, at one level and near its temperature.",
+            ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정하려면 같은 모드를 같은 수준과 비슷한 기온에서 확인한 조사가 그 전에 {training}회 넘게 있어야 한다.",
         },
         Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
             en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; if all stiffness changed alike, by {stiffness}.",
@@ -87,10 +90,6 @@ messages! {
             en: "With the repair of {date} {frequency} changed by {sign}{by} ± {half}.",
             ko: "{date} 보수 전후로 {frequency} 모드는 {sign}{by} ± {half} 변하였다.",
         },
-        SensorOrStructure { survey: String, cause: Sentence } => {
-            en: "Shapes and frequencies jumped on {survey}{cause}: a sensor that was moved or turned changes shapes alone, so look at both, the sensors and the structure.",
-            ko: "{survey}에 모드형상과 고유진동수가 함께 급변하였다{cause}. 센서의 이동이나 방향 변경은 형상만 바꾸므로 센서와 구조물을 모두 점검한다.",
-        },
         WithoutModes { survey: String, why: Both } => {
             en: "The records of survey {survey} give no modes, and are left out: {why}",
             ko: "{survey} 조사의 기록에서 모드를 찾지 못하여 제외하였다: {why}",
@@ -106,18 +105,6 @@ messages! {
         WithTime { frequency: Quantity, correlation: Quantity } => {
             en: "Temperature went with time ({frequency}: correlation {correlation}): ageing and weather can hardly be separated, and less is seen.",
             ko: "기온이 시간과 함께 변하여({frequency}: 상관계수 {correlation}) 노후와 날씨의 영향이 잘 구별되지 않으며 발견할 수 있는 변화가 줄어든다.",
-        },
-        Sensor { survey: String, channel: String, cause: Sentence } => {
-            en: "Shapes jumped on {survey} while frequencies did not{cause}: sensor \"{channel}\" was moved, replaced or turned, not the structure.",
-            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물의 변화가 아니라 센서 ‘{channel}’의 이동·교체 또는 방향 변경으로 판단된다.",
-        },
-        Sensors { survey: String, cause: Sentence } => {
-            en: "Shapes jumped on {survey} while frequencies did not{cause}: sensors were moved, replaced or turned, not the structure.",
-            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물의 변화가 아니라 센서의 이동·교체 또는 방향 변경으로 판단된다.",
-        },
-        Jumped { from: Quantity, to: Quantity, survey: String, mac: Quantity } => {
-            en: "{from} ended and {to} began on {survey} with a like shape (MAC {mac}): perhaps one mode that jumped.",
-            ko: "{survey}에 {from} 모드가 사라지고 모드형상이 비슷한(MAC {mac}) {to} 모드가 나타났다. 한 모드가 급변한 것일 수 있다.",
         },
         FarAhead { date: String, last: String } => {
             en: "The work of {date} in [watch] is dated more than a year after the last survey, {last}: no survey shows what it did, and alarms before it stay open until one does. Is the year right?",
@@ -144,6 +131,9 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     // no alarm is not good news if there was a change without a response
     let mut all = earthquakes(answer);
     all.extend(lost(answer));
+    all.extend(unseen(answer));
+    all.extend(undated(answer));
+    all.extend(doubts(answer));
     all.extend(model_apart(answer));
     all.extend(far_off(answer));
     let alarms = alarms(answer);
@@ -153,6 +143,15 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
         false => (Vec::new(), alarms),
     };
     all.extend(before);
+    all.extend(latest_tilts(answer));
+    all.extend(tilts_were_beyond(answer));
+    all.extend(
+        answer
+            .watched
+            .tilts
+            .iter()
+            .filter_map(|of| mark_apart(answer, of)),
+    );
     // the date at which a limit is reached matters more than past changes
     let tilts = &answer.watched.tilts;
     let tilted = tilts
@@ -224,7 +223,12 @@ fn mode_hz(answer: &WatchAnswer, mode: usize) -> Quantity {
 /// Whether the last surveys have too few data on the modes, or a repair loosened something, so that "no alarm" is not good news.
 fn is_doubtful(answer: &WatchAnswer) -> bool {
     let mut effects = answer.watched.modes.iter().flat_map(|mode| &mode.works);
-    !answer.watched.lost.is_empty() || last_survey(answer).is_some() || effects.any(loosens)
+    let watched = &answer.watched;
+    !watched.lost.is_empty()
+        || !watched.unseen.is_empty()
+        || last_survey(answer).is_some()
+        || effects.any(loosens)
+        || are_there(answer)
 }
 
 /// Whether a frequency fell with a repair.
@@ -327,9 +331,13 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
         name(answer, 0),
         name(answer, answer.surveys.len().saturating_sub(1)),
     );
-    let least = watched
-        .modes
-        .iter()
+    // modes that were not seen to the end have their own finding
+    let unseen = |mode: &usize| watched.unseen.iter().any(|of| of.mode == *mode);
+    let to_the_end = || {
+        let modes = watched.modes.iter().enumerate();
+        modes.filter(|(i, _)| !unseen(i)).map(|(_, mode)| mode)
+    };
+    let least = to_the_end()
         .filter_map(|mode| Some((mode.seen_from_ratio?, mode.track.frequency_hz)))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     let Some((least, of_hz)) = least else {
@@ -345,7 +353,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     let wandering = wandering(answer);
     if listed.is_empty() {
         let said = Found::Unchanged {
-            modes: watched.modes.len(),
+            modes: to_the_end().count(),
             from,
             to,
             least: percent(least, 2),
@@ -493,47 +501,4 @@ fn works(answer: &WatchAnswer) -> Vec<Finding> {
         })
     });
     each.collect()
-}
-
-fn sensors(answer: &WatchAnswer) -> Vec<Finding> {
-    let tracked = &answer.watched.tracked;
-    let sensors = tracked.sensors.iter().map(|change| {
-        let survey = name(answer, change.survey);
-        let day = |of: usize| answer.surveys.get(of).map_or(f64::NAN, |survey| survey.day);
-        let cause = cause(answer, [day(change.survey.saturating_sub(1)), day(change.survey)]);
-        let cause: Sentence = cause.into();
-        let modes = answer.watched.modes.iter();
-        let mut changes = modes.flat_map(|mode| &mode.changes);
-        let said = match &change.channel {
-            _ if changes.any(|of| (of.after..=of.before).contains(&change.survey)) => {
-                Found::SensorOrStructure { survey, cause }
-            }
-            Some(channel) => Found::Sensor {
-                survey,
-                channel: channel.clone(),
-                cause,
-            },
-            None => Found::Sensors { survey, cause },
-        };
-        Finding::key(Tone::Warn, said)
-    });
-    let is_lost = |from_hz: f64| {
-        let mut lost = answer.watched.lost.iter();
-        lost.any(|of| {
-            let own = answer.watched.modes.get(of.mode);
-            of.began_hz.is_some() && own.is_some_and(|own| own.track.frequency_hz == from_hz)
-        })
-    };
-    // modes missing in the last surveys come first
-    let jumped = tracked.jumped.iter().filter(|jumped| !is_lost(jumped.from_hz));
-    let jumped = jumped.map(|jumped| {
-        let said = Found::Jumped {
-            from: hertz(jumped.from_hz),
-            to: hertz(jumped.to_hz),
-            survey: name(answer, jumped.at),
-            mac: plain(jumped.assurance, 2),
-        };
-        Finding::key(Tone::Warn, said)
-    });
-    sensors.chain(jumped).collect()
 }

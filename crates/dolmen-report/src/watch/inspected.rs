@@ -1,8 +1,9 @@
 //! Findings of successive inspections.
 
 use super::dated_changes::changes_said;
+use super::findings::chance;
 use super::logs::month;
-use super::numbers::{HALF_95, bare_logged, logged, plain};
+use super::numbers::{HALF_95, bare_logged, logged, percent, plain};
 use crate::document::{Finding, Tone};
 use crate::engineer::named_damage;
 use dolmen::monitoring::ChangeForm;
@@ -19,11 +20,11 @@ messages! {
     /// Findings on inspections.
     pub(crate) enum Inspections in "watch.inspections" {
         Counted { last: String, all: usize, severe: usize, moderate: usize, before: String, then: usize, severe_then: usize } => {
-            en: "The inspection of {last} lists {all} entries, {severe} severe and {moderate} moderate; that of {before} listed {then}, {severe_then} severe.",
+            en: "Entries of the inspection of {last}: {all}, {severe} severe and {moderate} moderate; of that of {before}: {then}, {severe_then} severe.",
             ko: "{last} 점검의 항목은 {all}건(심함 {severe}건, 보통 {moderate}건)이며 {before} 점검에서는 {then}건(심함 {severe_then}건)이었다.",
         },
         CountedFirst { last: String, all: usize, severe: usize, moderate: usize } => {
-            en: "The inspection of {last} lists {all} entries, {severe} severe and {moderate} moderate.",
+            en: "Entries of the inspection of {last}: {all}, {severe} severe and {moderate} moderate.",
             ko: "{last} 점검의 항목은 {all}건(심함 {severe}건, 보통 {moderate}건)이다.",
         },
         New { last: String, each: Vec<Sentence>, count: usize } => {
@@ -47,6 +48,10 @@ messages! {
             en: "{damage}: {size} on {date}, at its limit of {limit} or beyond, and the inspection of {last} does not list it. If it was mended, enter a repair into works of [watch]; else look again.",
             ko: "{damage}: {date}에 {size}(으)로 한계 {limit}에 이르렀거나 넘었으나 {last} 점검에 없다. 보수하였다면 [watch]의 works에 repair로 적고, 아니면 다시 살핀다.",
         },
+        Near { damage: Sentence, size: Quantity, limit: Quantity, share: Quantity, date: String } => {
+            en: "{damage}: NEAR ITS LIMIT: {size} ({date}), {share} of {limit}.",
+            ko: "{damage}: 한계에 가까움. {size}({date})(으)로 한계 {limit}의 {share}이다.",
+        },
         Reaches { damage: Sentence, yearly: Quantity, half: Quantity, limit: Quantity, when: Both, earliest: Both, latest: Both } => {
             en: "{damage}: {yearly} ± {half} a year, beyond chance; at that rate it reaches its limit of {limit} in {when} ({earliest} to {latest}).",
             ko: "{damage}: 해마다 {yearly} ± {half}씩 유의하게 변한다. 이 속도로는 {when}({earliest}~{latest})에 한계 {limit}에 이른다.",
@@ -67,6 +72,10 @@ messages! {
             en: "{damage}: it changed by {by} ± {half}, no more than reading it may be off ({readings} readings; a slope needs four of one level).",
             ko: "{damage}: 변화 {by} ± {half}은(는) 측정 오차를 넘지 않는다(측정 {readings}회. 경향을 구하려면 같은 수준에서 4회가 필요하다).",
         },
+        Grew { damage: Sentence, by: Quantity, half: Quantity, from: String, to: String, readings: usize, now: Quantity } => {
+            en: "{damage}: it grew by {by} ± {half} from {from} to {to}, more than reading it may be off, though its {readings} readings show no steady slope. Now {now}: look at it, and whether it goes on.",
+            ko: "{damage}: {from}부터 {to}까지 {by} ± {half} 커져 측정 오차를 넘으나 측정 {readings}회로는 일정한 변화 속도가 보이지 않는다. 현재 {now}이다. 현장을 살피고 계속 변하는지 확인한다.",
+        },
         Jumped { damage: Sentence, by: Quantity, half: Quantity, after: String, before: String, cause: Sentence } => {
             en: "{damage}: it jumped by {by} ± {half} between {after} and {before}{cause}: look at it, and whether it goes on.",
             ko: "{damage}: {after}와(과) {before} 사이에 {by} ± {half}만큼 급변하였다{cause}. 현장을 살피고 계속 변하는지 확인한다.",
@@ -79,9 +88,9 @@ messages! {
             en: "{damage}: read as {read} on {date}, where the readings around it give {expected}: it stands alone, and is left out of the slope. Check its decimal point and unit.",
             ko: "{damage}: {date}의 {read}은(는) 앞뒤 측정값에 따른 {expected}에서 홀로 벗어나 경향에서 제외하였다. 소수점과 단위를 확인한다.",
         },
-        LastOff { damage: Sentence, date: String, read: Quantity, expected: Quantity, sd: Quantity } => {
-            en: "{damage}: the newest size, {read} ({date}), lies far from the {expected} ± {sd} that the readings before it predict; the slope is without it. Check its decimal point and unit; if it is right, look at the damage.",
-            ko: "{damage}: 가장 최근의 {read}({date})은(는) 이전 측정값에 따른 {expected} ± {sd}에서 크게 벗어나며 경향은 이 값을 빼고 구하였다. 소수점과 단위를 확인하고, 값이 맞다면 손상을 살핀다.",
+        LastOff { damage: Sentence, date: String, read: Quantity, expected: Quantity, sd: Quantity, chance: Sentence } => {
+            en: "{damage}: the newest size, {read} ({date}), lies far from the {expected} ± {sd} that the readings before it predict ({chance}); the slope is without it. Check its decimal point and unit; if it is right, look at the damage.",
+            ko: "{damage}: 가장 최근의 {read}({date})은(는) 이전 측정값에 따른 {expected} ± {sd}에서 크게 벗어나며({chance}) 경향은 이 값을 빼고 구하였다. 소수점과 단위를 확인하고, 값이 맞다면 손상을 살핀다.",
         },
         WasBeyond { damage: Sentence, size: Quantity, limit: Quantity, date: String } => {
             en: "{damage}: it was at its limit of {limit} or beyond on {date} ({size}), and is not now: check what was written down, and whether it was mended.",
@@ -126,6 +135,7 @@ pub(super) fn inspected(answer: &WatchAnswer) -> Vec<Finding> {
     };
     let mut all = Vec::new();
     for of in &found.damages {
+        all.extend(near(of, &date));
         all.extend(growth(of, last, &date));
         all.extend(changed(answer, of, &date));
     }
@@ -206,6 +216,20 @@ fn counted(all: &[InspectionOf], last: &InspectionOf) -> Finding {
     Finding::key(tone, said)
 }
 
+/// A size near its limit.
+fn near(of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Option<Finding> {
+    let (read, limit_m) = (of.last()?, of.limit_m?);
+    let share = of.share_of_limit().filter(|_| of.is_near())?;
+    let said = Inspections::Near {
+        damage: damage_name(of),
+        size: size(share * limit_m),
+        limit: size(limit_m),
+        share: percent(share, 0),
+        date: date(read.inspection),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
 /// Findings from the readings of a damage.
 fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> String) -> Option<Finding> {
     let (read, damage) = (of.last()?, damage_name(of));
@@ -235,11 +259,11 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
         return None;
     }
     let Some(slope) = of.trend.slope else {
-        let (by, sd) = of.grown_m()?;
-        let (from, readings) = (date(of.readings.first()?.inspection), of.readings.len());
-        let half = size(HALF_95 * sd);
-        let by_mm = bare_logged(by, false, 2);
-        return Some(match by > HALF_95 * sd {
+        let grown = of.grown()?;
+        let (from, readings) = (date(grown.from), of.readings.len());
+        let half = size(HALF_95 * grown.sd_m);
+        let by_mm = bare_logged(grown.by_m, false, 2);
+        return Some(match grown.is_beyond(HALF_95) {
             true => Finding::key(
                 Tone::Warn,
                 Inspections::FewGrew {
@@ -263,6 +287,19 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
         });
     };
     if !of.trend.is_beyond_chance() {
+        let is_told = !of.trend.changes.is_empty() || of.trend.last_off.is_some();
+        if let Some(grown) = of.grown().filter(|grown| !is_told && grown.is_beyond(HALF_95)) {
+            let said = Inspections::Grew {
+                damage,
+                by: bare_logged(grown.by_m, false, 2),
+                half: size(HALF_95 * grown.sd_m),
+                from: date(grown.from),
+                to: date(read.inspection),
+                readings: of.readings.len(),
+                now,
+            };
+            return Some(Finding::key(Tone::Warn, said));
+        }
         let least = logged(slope.seen_from_per_year, false, 3);
         return Some(Finding::new(
             Tone::Plain,
@@ -340,7 +377,8 @@ fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> Str
             date: date(read.inspection),
             read: size(read.size_m),
             expected: size(off.expected),
-            sd: size(HALF_95 * off.sd),
+            sd: size(off.half_95),
+            chance: chance(off.p_value),
         });
     let was_beyond = of
         .was_beyond()

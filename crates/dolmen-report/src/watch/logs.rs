@@ -1,5 +1,6 @@
 //! Findings on logs of tilts and cracks.
 
+use super::log_limits::{near, was_at_limit};
 use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, LoggedCurve, LoggedScale, NoSlope, ScaleMark, TiltReach, TiltSlope};
@@ -52,29 +53,25 @@ messages! {
             en: "{label}: its rate changes steadily: {first} a year at the beginning of the log, {yearly} ± {half} a year now. A date of the limit follows from the present rate.",
             ko: "{label}: 변화 속도가 서서히 바뀌었다. 기록 초기에는 해마다 {first}, 현재는 해마다 {yearly} ± {half}이다. 한계에 이르는 시기는 현재 속도로 구한다.",
         },
-        Steady { label: Both, least: Quantity, now: Quantity } => {
-            en: "{label}: no trend; a slope of {least} a year would have been seen with 80 % probability. Now {now}.",
-            ko: "{label}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 검출되었을 것이다. 현재 {now}이다.",
+        Steady { label: Both, least: Quantity, now: Quantity, date: String } => {
+            en: "{label}: no trend; a slope of {least} a year would have been seen with 80 % probability. Last {now} ({date}).",
+            ko: "{label}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 검출되었을 것이다. 마지막 값 {now}({date})이다.",
         },
-        TooShort { label: Both, years: Quantity, now: Quantity } => {
-            en: "{label}: {years} years of readings do not tell a trend from the season; that needs two. Now {now}.",
-            ko: "{label}: {years}년의 기록으로는 경향과 계절 변화를 구별할 수 없다. 2년 이상이 필요하다. 현재 {now}이다.",
+        TooShort { label: Both, years: Quantity, now: Quantity, date: String } => {
+            en: "{label}: {years} years of readings do not tell a trend from the season; that needs two. Last {now} ({date}).",
+            ko: "{label}: {years}년의 기록으로는 경향과 계절 변화를 구별할 수 없다. 2년 이상이 필요하다. 마지막 값 {now}({date})이다.",
         },
-        TooFew { label: Both, days: usize, now: Quantity } => {
-            en: "{label}: {days} days with readings are too few for a trend. Now {now}.",
-            ko: "{label}: 기록된 날이 {days}일로 경향을 판단하기에 부족하다. 현재 {now}이다.",
+        TooFew { label: Both, days: usize, now: Quantity, date: String } => {
+            en: "{label}: {days} days with readings are too few for a trend. Last {now} ({date}).",
+            ko: "{label}: 기록된 날이 {days}일로 경향을 판단하기에 부족하다. 마지막 값 {now}({date})이다.",
         },
-        Wanders { label: Both, now: Quantity } => {
-            en: "{label}: its months wander so far that no trend can be told from chance; look at the figure, and for what a work or event explains. Now {now}.",
-            ko: "{label}: 월별 값의 변동이 커서 경향을 우연과 구별할 수 없다. 그림을 보고 보수나 사건으로 설명되는지 살펴본다. 현재 {now}이다.",
+        Wanders { label: Both, now: Quantity, date: String } => {
+            en: "{label}: its months wander so far that no trend can be told from chance; look at the figure, and for what a work or event explains. Last {now} ({date}).",
+            ko: "{label}: 월별 값의 변동이 커서 경향을 우연과 구별할 수 없다. 그림을 보고 보수나 사건으로 설명되는지 살펴본다. 마지막 값 {now}({date})이다.",
         },
         ZeroLost { label: Both, date: String, by: Quantity } => {
             en: "{label}: with the sensors of {date} its readings shifted by {by}, and its zero is that of the sensor before. How near it is to its limit cannot be said: enter the zero of the new sensor as a log of its own.",
             ko: "{label}: {date} 센서 교체 때 측정값이 {by} 변하였으나 영점은 이전 센서의 것이다. 한계까지의 여유를 판단할 수 없으므로 새 센서의 영점을 별도 기록으로 입력한다.",
-        },
-        WasAtLimit { label: Both, limit: Quantity, days: usize, last: String } => {
-            en: "{label} was at its limit of {limit} or beyond; days: {days}, the last one {last}.",
-            ko: "{label}의 측정값이 한계 {limit}에 이른 날이 {days}일 있었다(마지막 {last}).",
         },
         LeansWereAtLimit { limit: Quantity, days: usize, last: String } => {
             en: "The logs of x and y together were at their limit of {limit} mm/m or beyond; days: {days}, the last one {last}.",
@@ -198,6 +195,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
         let has_own_limit = !(are_together && log.is_tilt() && log.part.limit.is_none());
         let silent = log.silent_since(answer.newest_day());
         let found = trend(log, has_own_limit && exchanged.is_none());
+        all.extend(near(log));
         // a log that ended has no information about today
         all.push(match silent {
             Some(_) if found.tone == Tone::Good => Finding {
@@ -246,6 +244,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
 fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     let (is_tilt, label) = (log.is_tilt(), label(log));
     let now = logged(log.trend.now, is_tilt, 2);
+    let date = log.span().map_or_else(String::new, |[_, last]| date_text(last));
     if let Some(limit) = log.trend.limit.filter(|_| log.is_beyond()) {
         let judged = log.trend.size_to_judge();
         let size = limit.size.copysign(judged);
@@ -257,17 +256,38 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
         Ok(slope) => slope,
         Err(NoSlope::TooShort { years }) => {
             let years = plain(years, 1);
-            return Finding::key(Tone::Unknown, Logged::TooShort { label, years, now });
+            return Finding::key(
+                Tone::Unknown,
+                Logged::TooShort {
+                    label,
+                    years,
+                    now,
+                    date,
+                },
+            );
         }
         Err(NoSlope::TooFew { days }) => {
-            return Finding::key(Tone::Unknown, Logged::TooFew { label, days, now });
+            return Finding::key(
+                Tone::Unknown,
+                Logged::TooFew {
+                    label,
+                    days,
+                    now,
+                    date,
+                },
+            );
         }
-        Err(NoSlope::Wanders) => return Finding::key(Tone::Unknown, Logged::Wanders { label, now }),
+        Err(NoSlope::Wanders) => return Finding::key(Tone::Unknown, Logged::Wanders { label, now, date }),
         Err(NoSlope::OtherScale(scale)) => return other_scale(log, scale),
     };
     if !log.trend.is_beyond_chance() {
         let least = logged(slope.seen_from_per_year, is_tilt, 3);
-        let said = Logged::Steady { label, least, now };
+        let said = Logged::Steady {
+            label,
+            least,
+            now,
+            date,
+        };
         // without a slope there is no good news if there is a jump, or if the newest days differ
         let is_moved = log.trend.jump.is_some() || log.trend.last_off.is_some() || log.trend.curve.is_some();
         return match is_moved || !log.trend.at_limit.is_empty() {
@@ -488,19 +508,6 @@ fn exchanged(log: &WatchedLog, answer: &WatchAnswer) -> Option<Finding> {
         label: label(log),
         date: work.date.clone(),
         by: logged(level.shift, log.is_tilt(), 2),
-    };
-    Some(Finding::key(Tone::Warn, said))
-}
-
-/// Finding that the log was at its limit earlier, but is not now.
-fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
-    let limit = log.trend.limit.filter(|_| !log.is_beyond())?;
-    let last = log.trend.at_limit.last()?;
-    let said = Logged::WasAtLimit {
-        label: label(log),
-        limit: logged(limit.size, log.is_tilt(), 2),
-        days: log.trend.at_limit.len(),
-        last: date_text(*last),
     };
     Some(Finding::key(Tone::Warn, said))
 }

@@ -5,6 +5,7 @@ use crate::document::{Finding, Tone};
 use dolmen::numeric::quantile;
 use dolmen_words::{Quantity, Values, messages};
 use dolmen_work::watched::WatchAnswer;
+use std::collections::BTreeSet;
 
 messages! {
     /// Findings on modes that are not there, or not in one place.
@@ -16,6 +17,10 @@ messages! {
         LostOnce { modes: Values, since: String, found: usize, of: usize } => {
             en: "Not found since {since}: {modes}, found before in {found} of {of} surveys. That may be chance; if the next survey misses it too, it is none. Measure again soon.",
             ko: "{since}부터 확인되지 않는 모드: {modes}(이전 {of}회 중 {found}회 확인). 우연일 수 있으나 다음 조사에서도 확인되지 않으면 우연으로 보기 어렵다. 곧 다시 계측한다.",
+        },
+        Unseen { modes: Values, direction: String, last: String } => {
+            en: "Last found on {last}: {modes}; of it nothing is known since, as no later survey has a mode along {direction}. Measure along {direction} again; if that was done, look at the structure and at these records.",
+            ko: "{last}에 마지막으로 확인된 모드: {modes}. 이후 조사에는 {direction} 방향 모드가 하나도 없어 그 뒤의 상태를 알 수 없다. {direction} 방향을 다시 계측하고, 계측하였다면 구조물과 해당 기록을 점검한다.",
         },
         Began { from: Quantity, to: Quantity, by: Quantity } => {
             en: "{to} began there with the shape of {from}: if it is the same mode, it changed by {by}.",
@@ -74,6 +79,30 @@ pub(super) fn lost(answer: &WatchAnswer) -> Vec<Finding> {
     });
     let began: Vec<Finding> = began.collect();
     [first].into_iter().chain(began).collect()
+}
+
+/// Modes that went with their direction.
+pub(super) fn unseen(answer: &WatchAnswer) -> Vec<Finding> {
+    let unseen = &answer.watched.unseen;
+    let direction = |mode: usize| {
+        let track = answer.watched.modes.get(mode).map(|mode| &mode.track);
+        track
+            .and_then(|track| track.direction.clone())
+            .unwrap_or_default()
+    };
+    let groups: BTreeSet<(usize, String)> = unseen.iter().map(|of| (of.last, direction(of.mode))).collect();
+    let each = groups.into_iter().map(|(last, along)| {
+        let own = unseen
+            .iter()
+            .filter(|of| of.last == last && direction(of.mode) == along);
+        let said = Missing::Unseen {
+            modes: Values(own.map(|of| mode_hz(answer, of.mode)).collect()),
+            last: name(answer, last),
+            direction: along,
+        };
+        Finding::key(Tone::Warn, said)
+    });
+    each.collect()
 }
 
 /// Correlation of neighbouring surveys, and ratio of the scatter to the stated deviations, from which a disturbance may be several

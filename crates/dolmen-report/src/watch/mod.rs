@@ -2,6 +2,7 @@
 
 mod cause;
 mod dated_changes;
+mod doubts;
 mod earthquakes;
 mod exchanged;
 mod failing;
@@ -9,11 +10,14 @@ mod findings;
 mod inspected;
 mod inspected_tables;
 mod last;
+mod latest;
+mod log_limits;
 mod log_table;
 mod logs;
 mod lost;
 mod numbers;
 mod parts;
+mod sensors_moved;
 mod tables;
 mod tilts;
 mod unsearched;
@@ -64,18 +68,22 @@ messages! {
 }
 
 /// Templates of the sentences on a history.
-pub(crate) const TEMPLATES: [&[Template]; 17] = [
+pub(crate) const TEMPLATES: [&[Template]; 21] = [
     parts::Dated::TEMPLATES,
     inspected::Inspections::TEMPLATES,
     inspected_tables::InspectedTable::TEMPLATES,
+    doubts::Doubted::TEMPLATES,
     earthquakes::Felt::TEMPLATES,
     logs::Logged::TEMPLATES,
+    log_limits::Limited::TEMPLATES,
     log_table::LogTable::TEMPLATES,
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
     last::Last::TEMPLATES,
     last::Unjudged::TEMPLATES,
+    latest::Latest::TEMPLATES,
     lost::Missing::TEMPLATES,
+    sensors_moved::Moved::TEMPLATES,
     tilts::Tilted::TEMPLATES,
     exchanged::Exchanged::TEMPLATES,
     cause::Cause::TEMPLATES,

@@ -1,11 +1,16 @@
 //! Findings on the tilts of a structure: beyond their limit, jumped, growing.
 
 use super::dated_changes::changes_said;
+use super::findings::chance;
 use super::numbers::{HALF_95, name, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};
+use dolmen_project::WorkKind;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::watched::{LeanNow, WatchAnswer};
+
+/// Days of a mean Gregorian year.
+const YEAR_DAYS: f64 = 365.2425;
 
 messages! {
     /// Tilts.
@@ -22,9 +27,9 @@ messages! {
             en: "The tilt along {direction} was read as {read} mm/m on {date}, where the readings around it give {expected} mm/m: it stands alone, and is left out of trend and steps. Check sign, decimal point and unit of what was written down; if it is right, the structure moved and came back.",
             ko: "{date}의 {direction} 방향 기울기 {read} mm/m는 앞뒤 측정값에 따른 {expected} mm/m에서 홀로 벗어나 경향과 급변 검토에서 제외하였다. 적은 값의 부호, 소수점, 단위를 확인한다. 값이 맞다면 구조물이 움직였다가 되돌아온 것이다.",
         },
-        TiltLastOff { direction: String, date: String, read: Quantity, expected: Quantity, sd: Quantity } => {
-            en: "The newest tilt along {direction}, {read} mm/m ({date}), lies far from the {expected} ± {sd} mm/m that the readings before it predict; trend and year of the limit are without it. Check sign, decimal point and unit of what was written down; if it is right, the structure moved: look at it and at the marks.",
-            ko: "가장 최근의 {direction} 방향 기울기 {read} mm/m({date})는 이전 측정값에 따른 {expected} ± {sd} mm/m에서 크게 벗어나며, 경향과 한계에 이르는 시기는 이 값을 빼고 구하였다. 적은 값의 부호, 소수점, 단위를 확인한다. 값이 맞다면 구조물이 움직인 것이므로 구조물과 측정 기준점을 점검한다.",
+        TiltLastOff { direction: String, date: String, read: Quantity, expected: Quantity, sd: Quantity, chance: Sentence } => {
+            en: "The newest tilt along {direction}, {read} mm/m ({date}), lies far from the {expected} ± {sd} mm/m that the readings before it predict ({chance}); trend and year of the limit are without it. Check sign, decimal point and unit of what was written down; if it is right, the structure moved: look at it and at the marks.",
+            ko: "가장 최근의 {direction} 방향 기울기 {read} mm/m({date})는 이전 측정값에 따른 {expected} ± {sd} mm/m에서 크게 벗어나며({chance}), 경향과 한계에 이르는 시기는 이 값을 빼고 구하였다. 적은 값의 부호, 소수점, 단위를 확인한다. 값이 맞다면 구조물이 움직인 것이므로 구조물과 측정 기준점을 점검한다.",
         },
         TiltBends { direction: String, about: String, after: String, before: String, earlier: Quantity, since: Quantity } => {
             en: "The slope of the tilt along {direction} changed in about {about} (between {after} and {before}): {earlier} mm/m a year before, {since} since.",
@@ -53,6 +58,10 @@ messages! {
         TiltCarried { direction: String, since: String, yearly: Quantity, half: Quantity, limit: Quantity, years: Quantity, earliest: Quantity, latest: Quantity } => {
             en: "The tilt along {direction} has another mark since {since}, which shows no slope of its own yet. If it goes on at the {yearly} ± {half} mm/m a year of the mark before, it reaches its limit of {limit} mm/m in {years} years ({earliest} to {latest}).",
             ko: "{direction} 방향 기울기는 {since}부터 다른 기준점을 쓰며 그 측정값만으로는 아직 변화 속도를 알 수 없다. 이전 기준점의 속도 해마다 {yearly} ± {half} mm/m가 이어지면 {years}년({earliest}~{latest}년) 뒤에 한계 {limit} mm/m에 이른다.",
+        },
+        MarkApart { direction: String, by: Quantity, half: Quantity, date: String, before: String } => {
+            en: "The first reading of the tilt along {direction} ({date}) is {by} ± {half} mm/m off what the mark {before} predicts for that day: the new mark was set to zero on a structure that leans, or it moved. Read what the new mark shows of a plumb structure; until then its distance to the limit is not known.",
+            ko: "{direction} 방향 기울기의 첫 측정값({date})이 기준점 {before}의 예측에서 {by} ± {half} mm/m 벗어난다. 기울어진 상태에서 새 기준점의 영점을 잡았거나 구조물이 움직인 것이다. 연직일 때의 새 기준점 값을 확인한다. 그때까지 한계까지의 여유는 알 수 없다.",
         },
         TiltBeyond { direction: String, now: Quantity, limit: Quantity } => {
             en: "The tilt along {direction} is {now} mm/m, beyond its limit of {limit} mm/m.",
@@ -165,7 +174,8 @@ pub(super) fn stands_alone(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Findi
             date: survey(answer, trend, at),
             read: slope(*trend.series.ratios.get(at)?, 2),
             expected: slope(of.expected, 2),
-            sd: slope(HALF_95 * of.sd, 2),
+            sd: slope(of.half_95, 2),
+            chance: chance(of.p_value),
         })
     });
     let all = each.chain(last);
@@ -260,6 +270,44 @@ fn carried(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
         latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), decimals),
     };
     Some(Finding::key(Tone::Warn, said))
+}
+
+/// Deviations by which the first reading of a new mark differs from what the mark before predicts. Our choice.
+const MARK_APART: f64 = 4.0;
+
+/// Finding that a new mark begins elsewhere than the mark before it ends, without a repair between them.
+pub(super) fn mark_apart(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
+    let (own, first) = (&trend.series, *trend.series.ratios.first()?);
+    let day = *own.days.first()?;
+    let ended = |of: &&TiltTrend| of.series.days.last().copied().filter(|last| *last < day);
+    let others = answer.watched.tilts.iter();
+    let before = others
+        .filter(|of| of.series.direction == own.direction && of.series.datum != own.datum)
+        .filter(|of| ended(of).is_some())
+        .max_by(|a, b| ended(a).unwrap_or(0.0).total_cmp(&ended(b).unwrap_or(0.0)))?;
+    let (last, slope_before) = (ended(&before)?, before.slope?);
+    let mut repairs = answer
+        .works
+        .iter()
+        .filter(|(_, work)| work.kind == WorkKind::Repair);
+    if repairs.any(|(on, _)| (last..=day).contains(on)) {
+        return None;
+    }
+    let years = (day - last) / YEAR_DAYS;
+    let by = first - (slope_before.now + slope_before.per_year * years);
+    let sd = before
+        .scatter
+        .hypot(trend.scatter)
+        .hypot(before.scatter)
+        .hypot(slope_before.sd_per_year * years);
+    let said = Tilted::MarkApart {
+        direction: direction_of(answer, trend),
+        by: slope(by, 2),
+        half: slope(HALF_95 * sd, 2),
+        date: survey(answer, trend, 0),
+        before: before.series.datum.clone().unwrap_or_default(),
+    };
+    (by.abs() > MARK_APART * sd).then(|| Finding::key(Tone::Warn, said))
 }
 
 /// Effect of repairs on a tilt.

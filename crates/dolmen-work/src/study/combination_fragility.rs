@@ -118,15 +118,26 @@ impl StateFragility {
             .map(|risk| risk.annual_rate)
     }
 
-    /// Number of motions for a standard error of ln θ of a tenth; `None` without a curve, or with so few motions that β is unknown.
+    /// Number of motions for a standard error of ln θ of a tenth; `None` without a curve, with so few motions that β is unknown, or with so few samples
+    /// of the structure that no number of motions is enough.
+    ///
+    /// ```text
+    /// n σ_m²/(0.1² − β_inputs²/S)        n motions, σ_m their standard error
+    /// ```
     pub fn motions_enough(&self) -> Option<usize> {
         let fit = self.by_acceleration.as_ref().ok()?;
         if fit.motions < ENOUGH_SAID_FROM {
             return None;
         }
         // information of one motion, including censored ones: σ² falls as 1/n
-        let of_one = fit.ln_theta_error * (fit.motions as f64).sqrt();
-        motions_needed(of_one, ERROR_WANTED)
+        let of_motions = fit.ln_theta_error_of_motions();
+        let of_one = of_motions * (fit.motions as f64).sqrt();
+        let of_samples = fit.ln_theta_error.powi(2) - of_motions.powi(2);
+        let left = ERROR_WANTED * ERROR_WANTED - of_samples;
+        if left <= 0.0 {
+            return None;
+        }
+        motions_needed(of_one, left.sqrt())
             .ok()
             .map(|count| count.max(ENOUGH_LEAST))
     }

@@ -152,7 +152,22 @@ impl StudyAnswer {
         let by_measure = by_measure.collect();
         let samples: Vec<usize> = seen.iter().map(|(scan, _)| self.sample_of(scan.job)).collect();
         let scatter = self.study.samples.filter(|samples| *samples > 1);
-        let by_acceleration = fit_fragility_of_motions(&observations, &motions);
+        let of_motions = fit_fragility_of_motions(&observations, &motions);
+        let scatter = scatter.and_then(|_| scatter_split(&observations, &motions, &samples).ok().flatten());
+        // both parts together must give the scatter of the curve, whose most likely square holds (S − 1)/S of that between S samples
+        let scatter = scatter.filter(|split| {
+            let share = (split.samples as f64 - 1.0) / split.samples as f64;
+            let both = split.of_motions.hypot(share.sqrt() * split.of_inputs);
+            let interval = of_motions
+                .as_ref()
+                .ok()
+                .and_then(|fit| fit.beta_interval(0.95).ok());
+            interval.is_none_or(|of| (of.lower..=of.upper).contains(&both))
+        });
+        let by_acceleration = of_motions.map(|fit| match &scatter {
+            Some(split) => fit.with_samples(split),
+            None => fit,
+        });
         let risk = self.hazard.as_ref().zip(by_acceleration.as_ref().ok());
         let rate_interval = risk.and_then(|(hazard, fit)| {
             let (theta, beta) = (fit.theta_interval(0.95).ok()?, fit.beta_interval(0.95).ok()?);
@@ -162,14 +177,6 @@ impl StudyAnswer {
             };
             let (least, most) = (rate(theta.upper, beta.lower)?, rate(theta.lower, beta.upper)?);
             Some([least.annual_rate, known_most(&most)])
-        });
-        let scatter = scatter.and_then(|_| scatter_split(&observations, &motions, &samples).ok().flatten());
-        let scatter = scatter.filter(|split| {
-            let interval = by_acceleration
-                .as_ref()
-                .ok()
-                .and_then(|fit| fit.beta_interval(0.95).ok());
-            interval.is_none_or(|of| (of.lower..=of.upper).contains(&split.of_motions.hypot(split.of_inputs)))
         });
         let alone = scans.iter().filter(|scan| scan.verdict == ScanVerdict::FellAlone);
         StateFragility {

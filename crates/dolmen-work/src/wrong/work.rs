@@ -335,8 +335,8 @@ sentences! {
             ko: "파일에 날짜(2019, 2019-04 또는 2019-04-02)로 시작하는 이름의 조사가 둘이 아니어서 어느 것이 먼저인지 알 수 없다. --from과 --to로 지정한다(있는 것: {known})",
         },
         Same { given } => {
-            en: "survey \"{given}\" cannot be compared with itself",
-            ko: "조사 \"{given}\"을(를) 그 자신과 비교할 수 없다",
+            en: "survey \"{given}\" cannot be compared with itself: name an earlier one with --from, or a later one with --to",
+            ko: "조사 \"{given}\"을(를) 그 자신과 비교할 수 없다. 더 이른 조사를 --from으로, 더 나중 조사를 --to로 지정한다",
         },
         SameRecord { surveys, files } as { first: surveys[0], second: surveys[1], of_first: files[0], of_second: files[1] } => {
             en: "surveys \"{first}\" ({of_first}) and \"{second}\" ({of_second}) have the same record, byte for byte: name the file of each date. Where one file holds both, give each its own channels, or its own stretch with conditioning.cut",

@@ -42,7 +42,7 @@ pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_
 pub use error::AssessError;
 pub use first_motion::first_motion_beside;
 pub use fragility::{
-    Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, ScatterSplit,
+    Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, OfSamples, ScatterSplit,
     bootstrap_fragility, bootstrap_fragility_of_motions, crossing, fit_fragility, fit_fragility_by_moments,
     fit_fragility_of_motions, motions_needed, scatter_split,
 };

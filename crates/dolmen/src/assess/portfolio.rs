@@ -55,9 +55,9 @@ impl KnownCapacity {
 pub enum Known {
     /// The median was determined.
     Found,
-    /// A lower bound: no motion reached the state. Ranked by this value.
+    /// A lower bound: no motion reached the state. Ranked by this value; its interval of ranks has no end on the safe side.
     AtLeast,
-    /// An upper bound: every motion reached the state at the weakest shaking. Ranked by this value; inspect this structure first.
+    /// An upper bound: every motion reached the state at the weakest shaking. Ranked by this value; its interval of ranks begins with 1.
     AtMost,
 }
 
@@ -86,12 +86,12 @@ pub struct Place {
     pub candidate: usize,
     /// Rank; 1 is the most urgent.
     pub rank: usize,
-    /// 90 % interval of the rank.
+    /// 90 % interval of the rank. A bound may lie anywhere on its open side, for its own rank and for those that it then passes.
     pub rank_interval: Interval,
     /// Annual rate of the damage state, 1/year, including the uncertainty of θ. For a structure that may fall under its own weight: the rate that
-    /// gives the same probability in 50 years. `None` without a hazard.
+    /// gives the same probability in 50 years. `None` without a hazard. From a bound of the capacity, a bound.
     pub annual_rate: Option<f64>,
-    /// Fraction of the draws in which the structure is among the most urgent tenth, –.
+    /// Fraction of the draws in which the structure is among the most urgent tenth, –. From a bound of the capacity, a bound.
     pub worst_tenth: f64,
 }
 
@@ -109,6 +109,8 @@ pub struct Ranked {
 /// ```text
 /// rate = ∫ Φ(ln(x/θ)/√(β² + σ²)) |dλ(x)| − ln(1 − p₀)/50        σ: standard deviation of ln θ; p₀: probability of falling under own weight
 /// ranks: in each of `draws` draws, ln θ + σ z with independent normal z, ranked again; 5 to 95 % of the ranks
+/// bounds: best rank = rank − number of lower bounds before it, 1 for an upper bound; worst rank = rank + number of upper bounds behind it,
+///         the last for a lower bound
 /// ```
 ///
 /// # Errors
@@ -170,7 +172,7 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
         })
         .collect::<Result<_, AssessError>>()?;
     let order = order_of(&own);
-    let mut drawn_places = vec![Vec::with_capacity(draws); candidates.len()];
+    let mut drawn_ends = vec![[Vec::with_capacity(draws), Vec::with_capacity(draws)]; candidates.len()];
     let worst = candidates.len().div_ceil(10);
     let mut among_worst = vec![0_usize; candidates.len()];
     for draw in 0..draws {
@@ -185,26 +187,48 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
                 rate.map(|hazard| capacity.rate_in_50_years(annual_risk(hazard, &fragility).annual_rate)),
             ));
         }
-        for (place, candidate) in order_of(&values).into_iter().enumerate() {
-            drawn_places[candidate].push((place + 1) as f64);
+        let drawn = order_of(&values);
+        let ends = ends_of(&drawn, candidates);
+        for (place, (candidate, [best, last])) in drawn.into_iter().zip(ends).enumerate() {
+            drawn_ends[candidate][0].push(best as f64);
+            drawn_ends[candidate][1].push(last as f64);
             among_worst[candidate] += usize::from(place < worst);
         }
     }
     let mut places = Vec::with_capacity(order.len());
     for (place, candidate) in order.into_iter().enumerate() {
-        let drawn = &drawn_places[candidate];
+        let [best, last] = &drawn_ends[candidate];
         places.push(Place {
             candidate,
             rank: place + 1,
             rank_interval: Interval {
-                lower: quantile(drawn, 0.05)?,
-                upper: quantile(drawn, 0.95)?,
+                lower: quantile(best, 0.05)?,
+                upper: quantile(last, 0.95)?,
             },
             annual_rate: rates[candidate],
             worst_tenth: among_worst[candidate] as f64 / draws as f64,
         });
     }
     Ok(Ranked { by, places })
+}
+
+/// The best and the worst rank of each candidate of an order, if bounds lie anywhere on their open side.
+fn ends_of(order: &[usize], candidates: &[Candidate]) -> Vec<[usize; 2]> {
+    let known = |candidate: &usize| candidates[*candidate].capacity.known;
+    let count = |of: &[usize], bound: Known| of.iter().filter(|other| known(other) == bound).count();
+    let ends = order.iter().enumerate().map(|(place, own)| {
+        let (before, behind) = (&order[..place], &order[place + 1..]);
+        let best = match known(own) {
+            Known::AtMost => 1,
+            Known::Found | Known::AtLeast => place + 1 - count(before, Known::AtLeast),
+        };
+        let last = match known(own) {
+            Known::AtLeast => order.len(),
+            Known::Found | Known::AtMost => place + 1 + count(behind, Known::AtMost),
+        };
+        [best, last]
+    });
+    ends.collect()
 }
 
 /// Indices in ascending order of value; equal values keep their order.
@@ -323,6 +347,36 @@ mod tests {
             }
         );
         assert_eq!(found.places[0].candidate, 0);
+    }
+
+    /// By hand: B 1, C 2, A < 3 at 3, D > 4 at 4. A may be anywhere up to its place, D anywhere from its place on, B and C may be passed by A.
+    #[test]
+    fn exact_the_place_of_a_bound_is_open_on_its_side() {
+        let of = |theta: f64, known: Known| {
+            let mut one = candidate(theta, 0.4, 0.0, None);
+            one.capacity.known = known;
+            one
+        };
+        let all = [
+            of(3.0, Known::AtMost),
+            of(1.0, Known::Found),
+            of(2.0, Known::Found),
+            of(4.0, Known::AtLeast),
+            of(5.0, Known::Found),
+        ];
+        let found = rank(&all, 20, 3).unwrap();
+        let each = found.places.iter().map(|place| {
+            let of = place.rank_interval;
+            (place.candidate, [of.lower, of.upper])
+        });
+        let by_hand = [
+            (1, [1.0, 2.0]),
+            (2, [2.0, 3.0]),
+            (0, [1.0, 3.0]),
+            (3, [4.0, 5.0]),
+            (4, [4.0, 5.0]),
+        ];
+        assert_eq!(each.collect::<Vec<_>>(), by_hand);
     }
 
     #[test]

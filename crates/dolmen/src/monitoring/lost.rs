@@ -42,6 +42,54 @@ impl LostMode {
     }
 }
 
+/// A mode that the last surveys cannot show, as they have no mode along its direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct UnseenMode {
+    /// Index of the mode.
+    pub mode: usize,
+    /// The last survey with the mode.
+    pub last: usize,
+}
+
+/// Modes along directions in which the last surveys have no mode at all, for more surveys in a row than ever before. Of such a mode nothing is known
+/// since; that it is absent is no evidence, as nothing shows that the direction was measured.
+pub(super) fn unseen(history: &History, tracks: &[Track]) -> Vec<UnseenMode> {
+    let surveys = &history.surveys;
+    let each = tracks.iter().enumerate().filter_map(|(mode, track)| {
+        let last = track.modes.iter().rposition(Option::is_some)?;
+        let with_modes: Vec<usize> = (0..surveys.len())
+            .filter(|i| !surveys[*i].modes.is_empty())
+            .collect();
+        let since = with_modes.iter().filter(|i| **i > last).count();
+        let runs = with_modes.split(|i| *i > last || track.modes[*i].is_some());
+        let gap = runs.map(<[usize]>::len).max().unwrap_or(0);
+        let mut after = surveys[last + 1..].iter();
+        let is_unseen = since > gap && !after.any(|survey| could_show(surveys, (track, last), survey));
+        is_unseen.then_some(UnseenMode { mode, last })
+    });
+    each.collect()
+}
+
+/// Whether a survey could show a mode that was last found in survey `last`: it has a mode along its direction, along no or a new one.
+fn could_show(surveys: &[HistorySurvey], (track, last): (&Track, usize), survey: &HistorySurvey) -> bool {
+    survey
+        .modes
+        .iter()
+        .any(|mode| fits(surveys, (track, last), mode.direction.as_deref()))
+}
+
+fn fits(surveys: &[HistorySurvey], (track, last): (&Track, usize), other: Option<&str>) -> bool {
+    let is_known = |direction: &str| {
+        let mut before = surveys[..=last].iter().flat_map(|survey| &survey.modes);
+        before.any(|mode| mode.direction.as_deref() == Some(direction))
+    };
+    match (track.direction.as_deref(), other) {
+        // a new name: the directions were renamed, or others were measured
+        (Some(own), Some(other)) => own == other || !is_known(other),
+        _ => true,
+    }
+}
+
 /// Whether the missing modes are significant: one mode is missing for longer than ever before, or several regular modes are missing together
 /// while the surveys show other modes. `surveys_between`: number of surveys times modes per allowed false alarm.
 pub(super) fn is_beyond_chance(lost: &[LostMode], surveys_between: f64) -> bool {
@@ -69,16 +117,8 @@ pub(super) fn lost(
     let surveys = &history.surveys;
     let each = tracks.iter().enumerate().filter_map(|(mode, track)| {
         let last = track.modes.iter().rposition(Option::is_some)?;
-        let is_known = |direction: &str| {
-            let mut before = surveys[..=last].iter().flat_map(|survey| &survey.modes);
-            before.any(|mode| mode.direction.as_deref() == Some(direction))
-        };
-        let fits = |other: Option<&str>| match (track.direction.as_deref(), other) {
-            // a new name: the directions were renamed, or others were measured
-            (Some(own), Some(other)) => own == other || !is_known(other),
-            _ => true,
-        };
-        let could = |survey: &HistorySurvey| survey.modes.iter().any(|mode| fits(mode.direction.as_deref()));
+        let fits = |other: Option<&str>| fits(surveys, (track, last), other);
+        let could = |survey: &HistorySurvey| could_show(surveys, (track, last), survey);
         let before: Vec<usize> = (0..=last).filter(|i| could(&surveys[*i])).collect();
         let after: Vec<usize> = (last + 1..surveys.len())
             .filter(|i| could(&surveys[*i]))
@@ -179,6 +219,56 @@ mod tests {
             works: Vec::new(),
         };
         lost(&history, &tracks, &[], |_| false)
+    }
+
+    /// Surveys of a mode along x in each, and of one along y in those of `y`.
+    fn along(count: usize, y: impl Fn(usize) -> bool) -> (History, Vec<Track>) {
+        let track = |frequency_hz, direction: &str, found: &dyn Fn(usize) -> bool, at| Track {
+            frequency_hz,
+            direction: Some(direction.to_owned()),
+            modes: (0..count).map(|survey| found(survey).then_some(at)).collect(),
+            assurances: Vec::new(),
+        };
+        let tracks = vec![track(2.0, "x", &|_| true, 0), track(2.6, "y", &y, 1)];
+        let surveys = (0..count).map(|survey| {
+            let own = tracks.iter().filter(|track| track.modes[survey].is_some());
+            let modes = own.map(|track| ObservedMode {
+                direction: track.direction.clone(),
+                ..observed(track.frequency_hz)
+            });
+            HistorySurvey {
+                name: survey.to_string(),
+                day: survey as f64,
+                temperature_c: None,
+                modes: modes.collect(),
+                tilts: Vec::new(),
+            }
+        });
+        let surveys = surveys.collect();
+        let works = Vec::new();
+        (History { surveys, works }, tracks)
+    }
+
+    #[test]
+    fn exact_a_mode_that_goes_with_its_direction_is_unseen() {
+        let last = |y: fn(usize) -> bool| -> Vec<(usize, usize)> {
+            let (history, tracks) = along(30, y);
+            assert_eq!(lost(&history, &tracks, &[], |_| false), []);
+            let found = unseen(&history, &tracks);
+            found.iter().map(|of| (of.mode, of.last)).collect()
+        };
+        assert_eq!(last(|survey| survey < 20), [(1, 19)]);
+        assert_eq!(last(|survey| survey < 29), [(1, 28)]);
+        // measured along y each third time, and once more than usual not
+        assert_eq!(last(|survey| survey % 3 == 0), []);
+        assert_eq!(last(|survey| survey % 3 == 0 && survey < 27), [(1, 24)]);
+        // a mode along x that goes alone could have been shown
+        let (history, mut tracks) = along(30, |_| true);
+        tracks.push(Track {
+            modes: (0..30).map(|survey| (survey < 20).then_some(0)).collect(),
+            ..tracks[0].clone()
+        });
+        assert_eq!(unseen(&history, &tracks), []);
     }
 
     /// Daily surveys of four modes, one false alarm in ten years.

@@ -60,7 +60,7 @@ pub use logged_faults::LoggedJump;
 pub use logged_last::LoggedLast;
 pub use logged_scale::{LoggedScale, ScaleMark};
 pub use logged_season::LoggedSeason;
-pub use lost::LostMode;
+pub use lost::{LostMode, UnseenMode};
 pub use made::{MadeHistory, made_history};
 pub use pooled::pooled;
 pub use scan::ChangeForm;

@@ -9,10 +9,8 @@
 
 use super::gram::{Gram, Likelihood};
 use super::series::Series;
-use super::whitening::{Disturbance, Whitening};
+use super::whitening::{CORRELATION_MOST, Disturbance, Whitening};
 
-/// Largest correlation over one interval in the search; beyond it, the level and the disturbance cannot be separated. Our choice.
-const CORRELATION_MOST: f64 = 0.95;
 /// Least disturbance in the search, relative to the noise of the readings. Our choice: its variance is then 0.04 % of that of the noise.
 const SD_LEAST: f64 = 0.02;
 /// Tolerance of the search in −2 ln of the likelihood. Our choice.

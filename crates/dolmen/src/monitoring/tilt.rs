@@ -6,7 +6,7 @@ use super::changes::{Seeking, changes};
 use super::regression::Fit;
 use super::scan::ChangeForm;
 use super::series::Series;
-use super::tilt_last::{NEWEST_MOST, TiltLast, last_off};
+use super::tilt_last::{NEWEST_MOST, TiltLast, are_enough, last_of_few, last_off};
 use super::tilt_outliers::{TiltOutlier, tilt_outliers};
 use super::wave::yearly_wave;
 use super::weather::YEAR_DAYS;
@@ -195,8 +195,14 @@ pub(super) fn tilt_trend(
     let Some(last) = days.last().copied() else {
         return Ok(trend);
     };
-    let (columns, _) = regression_columns(&days, last, levels);
-    let found = last_off(&readings(&series, &kept, how), &columns);
+    let (columns, works) = regression_columns(&days, last, levels);
+    let own = readings(&series, &kept, how);
+    let found = match are_enough(kept.len(), columns.len()) {
+        true => last_off(&own, &columns),
+        // a significant slope explains the last of few readings
+        false if trend.is_beyond_chance() => None,
+        false => last_of_few(&own, &columns[2..2 + works.len()], how.significance),
+    };
     match found {
         Some(found) => {
             let from = kept[found.from];

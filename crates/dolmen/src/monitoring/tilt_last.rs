@@ -3,7 +3,7 @@
 use super::regression::{Fit, restricted_likelihood};
 use super::series::Series;
 use super::tilt_outliers::{ALONE, READINGS_LEAST, usual_step};
-use crate::numeric::student_two_sided;
+use crate::numeric::{student_two_sided, student_two_sided_quantile};
 
 /// Probability of such a reading by chance below which it is off. Our choice: a history of twenty series gives a false one in 5,000.
 const OFF_BELOW: f64 = 1e-5;
@@ -21,12 +21,22 @@ pub struct TiltLast {
     pub expected: f64,
     /// Standard deviation of this prediction, with the scatter of a reading.
     pub sd: f64,
+    /// Half the width of its 95 % interval, by Student's t.
+    pub half_95: f64,
+    /// Probability of a last reading as far off by chance.
+    pub p_value: f64,
 }
 
 /// The newest one or two readings, if a regression of the others on their part of `columns` predicts them otherwise. `series` and `columns` hold all
 /// readings. `None` if a column is constant before them: a work after the last reading but one explains them.
 pub(super) fn last_off(series: &Series, columns: &[Vec<f64>]) -> Option<TiltLast> {
     (1..=NEWEST_MOST).find_map(|newest| off(series, columns, newest))
+}
+
+/// Whether so many readings and columns are enough for [`last_off`].
+pub(super) fn are_enough(readings: usize, columns: usize) -> bool {
+    let before = readings.saturating_sub(1);
+    before >= READINGS_LEAST && before >= columns + SPARE_LEAST
 }
 
 fn off(series: &Series, columns: &[Vec<f64>], newest: usize) -> Option<TiltLast> {
@@ -51,7 +61,7 @@ fn off(series: &Series, columns: &[Vec<f64>], newest: usize) -> Option<TiltLast>
     };
     let disturbance = restricted_likelihood(&before, &own, None)?;
     let fit = Fit::new(&before, &own, disturbance)?;
-    let judged = |i: usize| -> Option<(f64, f64, f64)> {
+    let judged = |i: usize| -> Option<(TiltLast, f64)> {
         let mut row: Vec<f64> = columns.iter().map(|column| column[i]).collect();
         let expected: f64 = row.iter().zip(&fit.coefficients).map(|(x, beta)| x * beta).sum();
         let step = usual_step(&before.readings, until..until, expected);
@@ -59,17 +69,72 @@ fn off(series: &Series, columns: &[Vec<f64>], newest: usize) -> Option<TiltLast>
         let variance = disturbance.sd.powi(2) + noise * noise + rounding * rounding + fit.form(&mut row);
         let (off, sd) = (series.readings[i] - expected, variance.sqrt());
         let p_value = student_two_sided(off / sd, degrees as f64).ok()?;
-        (p_value < OFF_BELOW && off.abs() > ALONE * step.max(noise)).then_some((expected, sd, off))
+        let half_95 = sd * student_two_sided_quantile(0.05, degrees as f64).ok()?;
+        let found = TiltLast {
+            from: until,
+            expected,
+            sd,
+            half_95,
+            p_value,
+        };
+        (p_value < OFF_BELOW && off.abs() > ALONE * step.max(noise)).then_some((found, off))
     };
-    let all: Option<Vec<(f64, f64, f64)>> = (until..n).map(judged).collect();
-    let all = all?;
-    let (expected, sd, off) = *all.last()?;
-    let is_one_side = all.iter().all(|(_, _, other)| other * off > 0.0);
-    is_one_side.then_some(TiltLast {
-        from: until,
-        expected,
-        sd,
-    })
+    on_one_side((until..n).map(judged))
+}
+
+/// The last of these, if there is each and all are off to the same side.
+fn on_one_side(all: impl Iterator<Item = Option<(TiltLast, f64)>>) -> Option<TiltLast> {
+    let all: Vec<(TiltLast, f64)> = all.collect::<Option<_>>()?;
+    let (found, off) = *all.last()?;
+    all.iter().all(|(_, other)| other * off > 0.0).then_some(found)
+}
+
+/// The newest one or two of readings too few for [`last_off`], against the mean of the k ≥ 2 before them since the last of `works` (its column is 1
+/// before it). `significance`: largest probability of such a finding by chance.
+///
+/// ```text
+/// t = (y − ȳ) / (s √(1 + 1/k)),   s² at least σ_r² + δ²/12,   k − 1 degrees of freedom        δ: finest step of the readings
+/// ```
+///
+/// A steady growth of any rate is not off: readings on a line in equal gaps have t = √3 for every k.
+///
+/// # Source
+/// Hahn and Meeker (1991) Statistical Intervals, section 4.7: prediction interval of one further observation.
+pub(super) fn last_of_few(series: &Series, works: &[Vec<f64>], significance: f64) -> Option<TiltLast> {
+    let level = significance / NEWEST_MOST as f64;
+    (1..=NEWEST_MOST).find_map(|newest| off_level(series, works, (newest, level)))
+}
+
+fn off_level(series: &Series, works: &[Vec<f64>], (newest, level): (usize, f64)) -> Option<TiltLast> {
+    let n = series.len();
+    let until = n.checked_sub(newest)?;
+    let is_of_level = |i: &usize| works.iter().all(|column| column[*i] == column[n - 1]);
+    let from = (0..until).rev().take_while(is_of_level).last()?;
+    let before = &series.readings[from..until];
+    let k = before.len() as f64;
+    let degrees = k - 1.0;
+    if degrees < 1.0 {
+        return None;
+    }
+    let mean = before.iter().sum::<f64>() / k;
+    let square = before.iter().map(|own| (own - mean).powi(2)).sum::<f64>() / degrees;
+    let step = usual_step(before, before.len()..before.len(), mean);
+    let judged = |i: usize| -> Option<(TiltLast, f64)> {
+        let least = series.noise_sd[i].powi(2) + step * step / 12.0;
+        let sd = (square.max(least) * (1.0 + 1.0 / k)).sqrt();
+        let off = series.readings[i] - mean;
+        let p_value = student_two_sided(off / sd, degrees).ok()?;
+        let half_95 = sd * student_two_sided_quantile(0.05, degrees).ok()?;
+        let found = TiltLast {
+            from: until,
+            expected: mean,
+            sd,
+            half_95,
+            p_value,
+        };
+        (p_value < level).then_some((found, off))
+    };
+    on_one_side((until..n).map(judged))
 }
 
 #[cfg(test)]
@@ -182,5 +247,77 @@ mod tests {
             }
         }
         assert_eq!(off, 0);
+    }
+
+    fn few(readings: &[f64]) -> Option<TiltLast> {
+        let series = Series {
+            at: (0..readings.len()).map(|i| i as f64).collect(),
+            readings: readings.to_vec(),
+            noise_sd: vec![0.0; readings.len()],
+        };
+        last_of_few(&series, &[], 0.05)
+    }
+
+    #[test]
+    fn exact_the_last_of_few_readings_by_hand() {
+        // mean 0.18333, s 0.0057735 of three; sd = s √(4/3); t = 0.17667/0.0066667 = 26.5; p of two degrees: 1 − t/√(2 + t²)
+        let found = few(&[0.18, 0.18, 0.19, 0.36]).unwrap();
+        let p_value = 1.0 - 26.5 / (2.0_f64 + 26.5 * 26.5).sqrt();
+        assert!(
+            (found.p_value / p_value - 1.0).abs() < 1e-9,
+            "{found:?} {p_value}"
+        );
+        assert!((found.half_95 - 4.30265 * found.sd).abs() < 1e-6 && found.from == 3);
+        // two degrees of freedom fewer: p of one degree, 1 − 2 atan(t)/π, with s √(3/2)
+        let found = few(&[3.0, 3.1, 6.6]).unwrap();
+        let t: f64 = 3.55 / (0.1 / 2_f64.sqrt() * 1.5_f64.sqrt());
+        assert!(
+            (found.p_value - (1.0 - t.atan() / std::f64::consts::FRAC_PI_2)).abs() < 1e-9,
+            "{found:?}"
+        );
+        // a line, and readings of one step
+        for steady in [
+            vec![3.0, 3.5, 4.0, 4.5, 5.0],
+            vec![0.18, 0.18, 0.18, 0.19],
+            vec![4.0, 5.0, 6.0],
+        ] {
+            assert_eq!(few(&steady), None, "{steady:?}");
+        }
+        let years = |ratios: &[f64]| {
+            let days = (0..ratios.len()).map(|i| YEAR_DAYS * i as f64).collect();
+            seen(days, ratios.iter().map(|of| 1e-3 * of).collect()).last_off
+        };
+        let eight = [3.05, 3.0, 3.1, 3.05, 3.0, 3.1, 3.05, 6.6];
+        assert!(
+            years(&eight).is_some_and(|of| of.p_value < 1e-7),
+            "{:?}",
+            years(&eight)
+        );
+        assert!(years(&[3.0, 3.1, 3.2, 6.6]).is_some());
+    }
+
+    #[test]
+    fn holds_few_sound_readings_are_off_as_rarely_as_stated() {
+        for (k, growth) in [
+            (2, 0.0),
+            (3, 0.0),
+            (3, 0.5),
+            (4, 2.0),
+            (7, 0.0),
+            (7, 0.3),
+            (7, 3.0),
+        ] {
+            let drawn = 2000;
+            let is_off = |seed: &u64| {
+                let mut random = Random::new(41, *seed);
+                let read = |i: i32| 3.0 + growth * f64::from(i) + random.normal();
+                few(&(0..=k).map(read).collect::<Vec<f64>>()).is_some()
+            };
+            let off = (0..drawn).filter(is_off).count() as f64 / drawn as f64;
+            assert!(
+                off < 0.05 + 3.0 * (0.05 * 0.95 / drawn as f64).sqrt(),
+                "{k} {growth}: {off}"
+            );
+        }
     }
 }

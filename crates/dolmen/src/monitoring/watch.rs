@@ -4,7 +4,7 @@ use super::MonitoringError;
 use super::alarm::{AlarmOptions, JudgedMode, ModeAlarm, alarm_limit, judge};
 use super::changes::{Changes, Seeking, changes};
 use super::history::{History, HistorySurvey};
-use super::lost::{LostMode, is_beyond_chance, lost};
+use super::lost::{LostMode, UnseenMode, is_beyond_chance, lost, unseen};
 use super::outliers::outliers;
 use super::scan::ChangeForm;
 use super::t_squared::{SurveyTSquared, t_squared};
@@ -87,6 +87,8 @@ pub struct Watched {
     pub alarms: Vec<StructureAlarm>,
     /// Modes that are missing in the last surveys, without a later inspection.
     pub lost: Vec<LostMode>,
+    /// Modes that the last surveys cannot show.
+    pub unseen: Vec<UnseenMode>,
     /// Number of surveys times modes per allowed false alarm.
     pub surveys_between: f64,
     /// T² of each survey for which it can be computed.
@@ -111,6 +113,7 @@ impl Watched {
             tracked: Tracked::default(),
             alarms: Vec::new(),
             lost: Vec::new(),
+            unseen: Vec::new(),
             surveys_between: 1.0,
             t_squared: Vec::new(),
             tilts: Vec::new(),
@@ -190,6 +193,7 @@ pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, Monit
     Ok(Watched {
         t_squared: t_squared(&judged, days.len())?,
         lost: lost(history, &tracked.tracks, &tracked.jumped, answered),
+        unseen: unseen(history, &tracked.tracks),
         surveys_between: surveys_between * count as f64,
         modes,
         alarms,

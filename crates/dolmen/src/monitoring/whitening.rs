@@ -19,6 +19,19 @@ pub struct Disturbance {
     pub correlation: f64,
 }
 
+/// Largest correlation over one interval in the search; beyond it, the level and the disturbance cannot be separated. Our choice.
+pub(super) const CORRELATION_MOST: f64 = 0.95;
+/// Correlation from which the search is at its end. Our choice.
+const AT_END_FROM: f64 = 0.94;
+
+impl Disturbance {
+    /// Whether its correlation is at the end of the search, so that the true one may be larger: it lasts so long that the probabilities of false
+    /// alarms and of false changes do not hold.
+    pub fn is_at_end(&self) -> bool {
+        self.sd > 0.0 && self.correlation >= AT_END_FROM
+    }
+}
+
 /// Filter coefficients at one survey.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gains {

@@ -205,6 +205,7 @@ impl LikelihoodMaximum {
             motions,
             reached: observations.iter().map(Observation::reached).sum(),
             observations: observations.iter().map(Observation::motions).sum(),
+            of_samples: None,
         })
     }
 }

@@ -37,6 +37,7 @@ pub fn fit_fragility_by_moments(capacities: &[f64]) -> Result<FragilityFit, Asse
         motions: n,
         reached: n,
         observations: n,
+        of_samples: None,
     })
 }
 
