@@ -49,7 +49,17 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     if options.sampling.is_some() && matches!(project.structure, Structure::Stack(_)) {
         return Err(WorkError::SamplesOfStack);
     }
-    let mut state = state_of(project, options)?;
+    // variants are independent of each other: each on its own thread
+    let (state, states) = rayon::join(
+        || state_of(project, options),
+        || -> Vec<_> {
+            let variants = project.variants.par_iter();
+            variants
+                .map(|variant| state_of(&variant.project, options))
+                .collect()
+        },
+    );
+    let mut state = state?;
     if let Some(state) = &mut state {
         state.contradictions = contradictions(project, state);
         if options.beside_the_verdict {
@@ -58,8 +68,8 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
         }
     }
     let mut variants = Vec::new();
-    for variant in &project.variants {
-        if let Some(state) = state_of(&variant.project, options)? {
+    for (variant, of_variant) in project.variants.iter().zip(states) {
+        if let Some(state) = of_variant? {
             variants.push(VariantAnswer {
                 name: variant.name.clone(),
                 title: variant.title.clone(),

@@ -1,8 +1,8 @@
 //! Inspections over the years: number of damages of each kind, and the growth of each damage.
 
 use crate::compared_readings::DamageKey;
+use crate::near_limit::NEAR_FROM;
 use crate::survey_dates::{date, day_of};
-use crate::tilts_read::NEAR_FROM;
 use dolmen::monitoring::{
     ANSWERED_DAYS, GrowthOptions, GrowthSeries, MonitoringError, TiltTrend, WatchOptions, growth,
 };
@@ -163,7 +163,7 @@ impl WatchedDamage {
             .map(|(limit, size)| size / limit)
     }
 
-    /// Whether it has reached [`NEAR_FROM`] of its limit, but not the limit.
+    /// Whether it has reached nine tenths of its limit, but not the limit.
     pub fn is_near(&self) -> bool {
         let is_open = !self.is_repaired && !self.is_beyond();
         is_open && self.share_of_limit().is_some_and(|share| share >= NEAR_FROM)

@@ -54,6 +54,7 @@ pub mod model_modes;
 mod modes_of_survey;
 mod more_modes;
 pub mod motion;
+mod near_limit;
 mod opened;
 pub mod part_limit;
 mod photos;

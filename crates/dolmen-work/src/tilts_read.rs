@@ -1,11 +1,10 @@
 //! Tilts as surveys read them, each survey by itself: the newest, and those beyond the limit.
 
+use crate::near_limit::NEAR_FROM;
 use crate::watched::WatchAnswer;
 use dolmen_project::WorkKind;
 use std::collections::BTreeMap;
 
-/// Share of its limit from which a reading is near it. Our choice.
-pub const NEAR_FROM: f64 = 0.9;
 /// Relative rounding error of a share.
 const ROUNDING: f64 = 1e-9;
 
@@ -32,7 +31,7 @@ impl TiltRead {
         self.limit.map(|limit| (self.ratio / limit).abs())
     }
 
-    /// Whether it has reached [`NEAR_FROM`] of its limit.
+    /// Whether it has reached nine tenths of its limit.
     pub fn is_near(&self) -> bool {
         self.share_of_limit()
             .is_some_and(|share| share >= NEAR_FROM * (1.0 - ROUNDING))

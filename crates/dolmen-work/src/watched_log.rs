@@ -1,6 +1,6 @@
 //! Results of a log of the project.
 
-use crate::tilts_read::NEAR_FROM;
+use crate::near_limit::NEAR_FROM;
 use dolmen::monitoring::LoggedTrend;
 use dolmen_project::{LogKind, LogPart};
 
@@ -45,7 +45,7 @@ impl WatchedLog {
         self.trend.is_beyond_limit()
     }
 
-    /// Whether the readings have reached [`NEAR_FROM`] of their limit, but not the limit.
+    /// Whether the readings have reached nine tenths of their limit, but not the limit.
     pub fn is_near(&self) -> bool {
         let judged = self.trend.size_to_judge();
         let share = self.trend.limit.map(|limit| match limit.is_one_sided {

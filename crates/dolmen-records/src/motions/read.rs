@@ -262,10 +262,15 @@ fn refuse_other_origin(
             .join(" ")
             .to_lowercase()
     };
+    // the earthquake may be followed by its date
+    let is_alike = |one: &str, other: &str| {
+        let [one, other] = [one, other].map(plain);
+        one == other || !divides && (one.starts_with(&other) || other.starts_with(&one))
+    };
     let pairs = of(reference).into_iter().zip(of(other));
     for pair in pairs {
         if let (Some(first_of), Some(second_of)) = pair
-            && plain(&first_of) != plain(&second_of)
+            && !is_alike(&first_of, &second_of)
         {
             return Err(MotionError::Origins {
                 first,

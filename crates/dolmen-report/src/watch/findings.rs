@@ -1,6 +1,7 @@
 //! Findings of a history.
 
 use super::cause::{Cause, cause};
+use super::chance::chance;
 use super::doubts::{are_there, doubts, undated};
 use super::earthquakes::earthquakes;
 use super::exchanged::exchanged;
@@ -114,15 +115,6 @@ messages! {
             en: "An alarm can be confirmed though nothing changed (a false alarm); over these years at least one is confirmed with {share} probability.",
             ko: "구조물에 변화가 없어도 경보가 확정될 수 있다(오경보). 이 기간에 오경보가 한 번 이상 확정될 확률은 {share}이다.",
         },
-        Chance { p: Quantity } => { en: "p = {p}", ko: "p = {p}" },
-        ChanceBelow => { en: "p < 0.001", ko: "p < 0.001" },
-    }
-}
-
-pub(super) fn chance(p: f64) -> Sentence {
-    match p < 0.001 {
-        true => Found::ChanceBelow.into(),
-        false => Found::Chance { p: plain(p, 3) }.into(),
     }
 }
 

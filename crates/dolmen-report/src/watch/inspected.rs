@@ -1,7 +1,7 @@
 //! Findings of successive inspections.
 
+use super::chance::chance;
 use super::dated_changes::changes_said;
-use super::findings::chance;
 use super::logs::month;
 use super::numbers::{HALF_95, bare_logged, logged, percent, plain};
 use crate::document::{Finding, Tone};
@@ -230,29 +230,35 @@ fn near(of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
+/// Finding that a damage has reached its limit.
+fn beyond(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> String) -> Option<Finding> {
+    let (read, damage) = (of.last()?, damage_name(of));
+    let (limit_m, size_m) = (of.limit_m.filter(|_| of.is_beyond())?, of.size_to_judge_m()?);
+    let (limit, date, size) = (size(limit_m), date(read.inspection), size(size_m));
+    let said = match of.is_in_last {
+        true => Inspections::Beyond {
+            damage,
+            size,
+            limit,
+            date,
+        },
+        false => Inspections::BeyondNotListed {
+            damage,
+            size,
+            limit,
+            date,
+            last: last.survey.clone(),
+        },
+    };
+    Some(Finding::key(Tone::Bad, said))
+}
+
 /// Findings from the readings of a damage.
 fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> String) -> Option<Finding> {
     let (read, damage) = (of.last()?, damage_name(of));
     let now = size(read.size_m);
-    if let (true, Some(limit_m), Some(size_m)) = (of.is_beyond(), of.limit_m, of.size_to_judge_m()) {
-        let (limit, date) = (size(limit_m), date(read.inspection));
-        let size = size(size_m);
-        let said = match of.is_in_last {
-            true => Inspections::Beyond {
-                damage,
-                size,
-                limit,
-                date,
-            },
-            false => Inspections::BeyondNotListed {
-                damage,
-                size,
-                limit,
-                date,
-                last: last.survey.clone(),
-            },
-        };
-        return Some(Finding::key(Tone::Bad, said));
+    if let Some(found) = beyond(of, last, date) {
+        return Some(found);
     }
     // a repair ended it
     if of.is_repaired {

@@ -1,7 +1,6 @@
 //! Logs near their limit, and logs that were at it before.
 
-use super::logs::label;
-use super::numbers::{logged, percent};
+use super::numbers::{label, logged, percent};
 use crate::document::{Finding, Tone};
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, messages};

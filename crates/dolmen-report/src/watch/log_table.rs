@@ -1,7 +1,6 @@
 //! Logs of tilts and cracks as tables, and the rows left out of their files.
 
-use super::logs::label;
-use super::numbers::{HALF_95, logged, logged_unit, plain};
+use super::numbers::{HALF_95, label, logged, logged_unit, plain};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_words::message::Both;
 use dolmen_words::{Unit, messages};

@@ -1,12 +1,12 @@
 //! Findings on logs of tilts and cracks.
 
 use super::log_limits::{near, was_at_limit};
-use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
+use super::numbers::{HALF_95, bare_logged, label, logged, month_of, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, LoggedCurve, LoggedScale, NoSlope, ScaleMark, TiltReach, TiltSlope};
 use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Language, Quantity, Unit, messages};
+use dolmen_words::{Digits, Quantity, Unit, messages};
 use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
@@ -138,17 +138,6 @@ messages! {
             ko: "온도 기록에서 기온을 얻은 조사: {surveys}건.",
         },
         Later { years: usize } => { en: "more than {years} years", ko: "{years}년 이상 뒤" },
-    }
-}
-
-/// Name of a log.
-pub(crate) fn label(log: &WatchedLog) -> Both {
-    match &log.part.label {
-        None => log.part.name.as_str().into(),
-        Some(names) => Both::of(|language| match language {
-            Language::English => names.english(),
-            Language::Korean => names.korean(),
-        }),
     }
 }
 
@@ -484,11 +473,6 @@ fn clock_last(log: &WatchedLog) -> Option<Finding> {
         last: date_text(last),
     };
     Some(Finding::key(Tone::Warn, said))
-}
-
-/// The month of a day: "2026-11".
-fn month_of(day: f64) -> String {
-    date_text(day).chars().take("2026-11".len()).collect()
 }
 
 /// Finding that the zero of the log belongs to an earlier sensor, so that its current reading is not

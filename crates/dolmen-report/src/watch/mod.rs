@@ -1,6 +1,7 @@
 //! The structure over the years: findings, and the section on its surveys over time.
 
 mod cause;
+mod chance;
 mod dated_changes;
 mod doubts;
 mod earthquakes;
@@ -24,7 +25,7 @@ mod unsearched;
 
 pub(crate) use findings::findings;
 pub(crate) use inspected::damage_name;
-pub(crate) use logs::label;
+pub(crate) use numbers::label;
 
 use crate::document::{Block, Document, Figure};
 use crate::figures::{years, years_series};
@@ -68,7 +69,7 @@ messages! {
 }
 
 /// Templates of the sentences on a history.
-pub(crate) const TEMPLATES: [&[Template]; 21] = [
+pub(crate) const TEMPLATES: [&[Template]; 22] = [
     parts::Dated::TEMPLATES,
     inspected::Inspections::TEMPLATES,
     inspected_tables::InspectedTable::TEMPLATES,
@@ -87,6 +88,7 @@ pub(crate) const TEMPLATES: [&[Template]; 21] = [
     tilts::Tilted::TEMPLATES,
     exchanged::Exchanged::TEMPLATES,
     cause::Cause::TEMPLATES,
+    chance::Chance::TEMPLATES,
     unsearched::Unsearched::TEMPLATES,
     failing::Failing::TEMPLATES,
     tables::Listed::TEMPLATES,

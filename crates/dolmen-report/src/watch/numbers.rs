@@ -1,7 +1,10 @@
 //! Numbers of a history, with suitable digits.
 
-use dolmen_words::{Digits, Quantity, Unit};
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Language, Quantity, Unit};
+use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
+use dolmen_work::watched_log::WatchedLog;
 
 pub(super) fn hertz(frequency_hz: f64) -> Quantity {
     Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(4))
@@ -51,4 +54,20 @@ pub(super) fn name(answer: &WatchAnswer, survey: usize) -> String {
         .surveys
         .get(survey)
         .map_or_else(String::new, |survey| survey.name.clone())
+}
+
+/// The month of a day: "2026-11".
+pub(super) fn month_of(day: f64) -> String {
+    date_text(day).chars().take("2026-11".len()).collect()
+}
+
+/// Name of a log.
+pub(crate) fn label(log: &WatchedLog) -> Both {
+    match &log.part.label {
+        None => log.part.name.as_str().into(),
+        Some(names) => Both::of(|language| match language {
+            Language::English => names.english(),
+            Language::Korean => names.korean(),
+        }),
+    }
 }

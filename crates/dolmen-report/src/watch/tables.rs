@@ -1,6 +1,6 @@
 //! Modes, changes and alarms of a history as tables.
 
-use super::findings::chance;
+use super::chance::chance;
 use super::numbers::{HALF_95, hertz, percent, plain};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::monitoring::{AlarmKind, ChangeForm, WatchedMode};

@@ -1,7 +1,7 @@
 //! Findings on the tilts of a structure: beyond their limit, jumped, growing.
 
+use super::chance::chance;
 use super::dated_changes::changes_said;
-use super::findings::chance;
 use super::numbers::{HALF_95, name, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};

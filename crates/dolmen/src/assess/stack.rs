@@ -339,7 +339,9 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         check.notes.push(StackNote::AnalysisFalls);
         return Ok(());
     }
-    if let (Some(dilating_g), Some(least)) = (found.dilating_g, least) {
+    if let (Some(dilating_g), Some(least)) = (found.dilating_g, least)
+        && least.acceleration_g < (1.0 - BETWEEN) * soil.over_gravity(dilating_g, &least)
+    {
         check.notes.push(StackNote::WithoutDilatancy {
             dilating_g: soil.over_gravity(dilating_g, &least),
             without_g: least.acceleration_g,

@@ -410,7 +410,7 @@ mod tests {
             identify(&record, &options).unwrap_err().to_string()
         };
         assert!(
-            refusal(Method::SsiCov, 50.0).starts_with("accept_hz is 50, but must be above 0 and below half")
+            refusal(Method::SsiCov, 50.0).starts_with("accept is 50, but must be above 0 and below half")
         );
         assert!(refusal(Method::Era, 4.2).starts_with("no test refuses a mode of a free decay"));
     }

@@ -223,7 +223,7 @@ fn refuses_what_cannot_work_and_says_what_to_do() {
     let modes = found(&ReferenceCase::ShearChain.made(100).unwrap());
     let message = modes.nearest(2.0, 0.1).unwrap_err().to_string();
     assert!(
-        message.starts_with("no mode was found at 2 Hz (± 0.1 Hz); the modes found lie at [1."),
+        message.starts_with("no mode was found at 2 Hz (± 0.100 Hz); the modes found lie at 1."),
         "{message}"
     );
 }
@@ -258,7 +258,7 @@ fn holds_a_picked_mode_is_the_one_there_or_an_error() {
     assert!((modes[0].frequency_hz - 4.2).abs() < 0.05);
     let fault = picked(3.0).unwrap_err().to_string();
     assert!(
-        fault.starts_with("no mode was found at 3 Hz (± 0.06 Hz); the modes found lie at [1."),
+        fault.starts_with("no mode was found at 3 Hz (± 0.060 Hz); the modes found lie at 1."),
         "{fault}"
     );
 }

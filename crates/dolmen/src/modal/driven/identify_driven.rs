@@ -134,11 +134,9 @@ pub(crate) fn of_driven(
     let poles_hz: Vec<f64> = groups.map(|group| group.medoid.frequency_hz).collect();
     let insisted = accepted(options, &analysis.modes.modes, (&refused, &poles_hz), &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
-    if !not_picked_hz.is_empty() {
-        notes.push(Note::NotPicked {
-            frequency_hz: not_picked_hz,
-        });
-    }
+    notes.extend((!not_picked_hz.is_empty()).then_some(Note::NotPicked {
+        frequency_hz: not_picked_hz,
+    }));
     wanted(options, &analysis.modes)?;
     put_in(&outputs, &free, insisted, &mut analysis.modes, &mut notes)?;
     let together = ambient(record, &free).ok().map(|of| of.modes);

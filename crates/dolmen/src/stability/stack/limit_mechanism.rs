@@ -32,7 +32,7 @@ pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>,
     if piece.crushes() {
         return certified(stack, piece);
     }
-    match least_pull(piece.at_rest(), piece.pushes(), piece.units()) {
+    match least_pull(piece.at_rest(), piece.pushes(), &piece.units) {
         Ok(found) => Ok(found.and_then(|velocities| moving_with(stack, piece, &velocities))),
         // no pull at the corners holds it: a stone that slips down between two others
         Err(StabilityError::ConicProgramme { .. }) => certified(stack, piece),

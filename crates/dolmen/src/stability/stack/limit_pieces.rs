@@ -112,7 +112,8 @@ struct VelocityTransform {
 pub(super) struct Piece {
     moves: Vec<VelocityTransform>,
     length: f64,
-    units: Vec<f64>,
+    /// The force unit of each push, N.
+    pub(super) units: Vec<f64>,
     /// The link of each push: the joints, then the ties.
     pub(super) links: Vec<usize>,
     at_rest: Vec<f64>,
@@ -139,11 +140,6 @@ impl Piece {
     /// Possible forces of its joints and ties.
     pub(super) fn pushes(&self) -> &[Push] {
         &self.pushes
-    }
-
-    /// The force unit of each push, N.
-    pub(super) fn units(&self) -> &[f64] {
-        &self.units
     }
 
     /// Power of the loads of 1 g along x and y in a mechanism: the outward normal of the region of balanced accelerations, where the mechanism

@@ -23,6 +23,8 @@ const ENOUGH: usize = 12;
 /// Distance below which points count as equal, over gravity: the direction of a line through them would be
 /// rounding. Our choice.
 const APART: f64 = 1e-5;
+/// The same over the smallest extent of the region, for a region that is hardly wider. Our choice: a solution is accurate to 1e-8.
+const APART_IN_THIN: f64 = 0.1;
 /// Largest difference of the coefficients of equal symmetries. Our choice: products of a few turns round to 1e-15.
 const ALIKE: f64 = 1e-9;
 /// Angle below which two directions are neighbours: a search near one finds the limit of the other. Our choice.
@@ -198,10 +200,11 @@ pub(super) fn nearest(
                 if bound < found.bound {
                     (found.bound, found.towards) = (bound, towards);
                 }
+                let least = APART.min(APART_IN_THIN * found.bound);
                 for symmetry in symmetries {
                     found.asked.push((turned(symmetry, towards), bound));
                     let image = turned(symmetry, point);
-                    let apart = |other: &[f64; 2]| (image[0] - other[0]).hypot(image[1] - other[1]) > APART;
+                    let apart = |other: &[f64; 2]| (image[0] - other[0]).hypot(image[1] - other[1]) > least;
                     if points.iter().all(apart) {
                         points.push(image);
                     }
@@ -288,6 +291,18 @@ mod tests {
         assert!((found.bound - 1.0).abs() < 1e-12 && (found.at_least - 1.0).abs() < 1e-12);
         assert!((found.towards[0] - 0.6).abs() < 1e-12 && (found.towards[1] - 0.8).abs() < 1e-12);
         assert!(found.stands && found.solved < 12, "{found:?}");
+    }
+
+    /// An arch of nearly the least thickness hardly resists along its span, and far more across.
+    #[test]
+    fn exact_region_of_some_millionths() {
+        let (across, mirrors) = (3e-6, [[[-1.0, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, -1.0]]]);
+        let corners = [[across, 0.2], [across, -0.2], [-across, -0.2], [-across, 0.2]];
+        for symmetries in [&mirrors[..], &[]] {
+            let found = least(&corners, symmetries);
+            assert!(found.stands && (found.bound - across).abs() < 1e-15, "{found:?}");
+            assert!((found.at_least - across).abs() < 1e-12, "{found:?}");
+        }
     }
 
     #[test]

@@ -187,7 +187,7 @@ fn solve(
 /// Adds the forces of a piece to those of the joints; each cone has a share of the friction of its joint.
 fn gather(joints: &mut [JointForces], stack: &Stack, piece: &Piece, (forces, share): (&[[f64; 3]], f64)) {
     let pushes = piece.pushes().iter().zip(forces);
-    for ((push, force), (&link, &unit)) in pushes.zip(piece.links.iter().zip(piece.units())) {
+    for ((push, force), (&link, &unit)) in pushes.zip(piece.links.iter().zip(&piece.units)) {
         if let (Some(sum), Some(joint)) = (joints.get_mut(link), stack.joints().get(link)) {
             sum.add(push, force, unit, share * joint.material.friction_static);
         }
