@@ -1,7 +1,7 @@
 //! Findings on logs of tilts and cracks.
 
 use super::log_limits::{near, was_at_limit};
-use super::numbers::{HALF_95, bare_logged, label, logged, month_of, plain, slope};
+use super::numbers::{HALF_95, YEAR_DAYS, bare_logged, label, logged, month_of, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, LoggedCurve, LoggedScale, NoSlope, ScaleMark, TiltReach, TiltSlope};
 use dolmen_project::WorkKind;
@@ -11,8 +11,6 @@ use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
 
-/// Days of a mean Gregorian year.
-const YEAR_DAYS: f64 = 365.2425;
 /// Years beyond which the answer gives no date.
 const DATED_YEARS: f64 = 300.0;
 /// Probability by chance below which a shift at a work is reported. Our choice.

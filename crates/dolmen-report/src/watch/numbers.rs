@@ -33,6 +33,9 @@ pub(super) fn slope(ratio: f64, decimals: usize) -> Quantity {
 /// Half width of a 95 % interval, in standard deviations.
 pub(super) const HALF_95: f64 = 1.959963984540054;
 
+/// Days of a mean Gregorian year.
+pub(super) const YEAR_DAYS: f64 = 365.2425;
+
 /// A tilt in mm/m, or a width in mm.
 pub(super) fn logged(value: f64, is_tilt: bool, decimals: usize) -> Quantity {
     Quantity::new(1000.0 * value, logged_unit(is_tilt), Digits::Fixed(decimals))

@@ -2,15 +2,12 @@
 
 use super::chance::chance;
 use super::dated_changes::changes_said;
-use super::numbers::{HALF_95, name, plain, slope};
+use super::numbers::{HALF_95, YEAR_DAYS, name, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};
 use dolmen_project::WorkKind;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::watched::{LeanNow, WatchAnswer};
-
-/// Days of a mean Gregorian year.
-const YEAR_DAYS: f64 = 365.2425;
 
 messages! {
     /// Tilts.

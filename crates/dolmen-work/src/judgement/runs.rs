@@ -59,15 +59,10 @@ pub(super) fn of_stack_runs(runs: &StackRuns) -> RunFindings {
     let is_done = !is_stopped && runs.each().all(|run| run.falls() || run.is_whole());
     let mut found = of_stack(&runs.deciding);
     let motion = runs.deciding.motion.motion.name();
-    let worst = runs
-        .repeats
-        .as_ref()
-        .and_then(|repeats| of_repeats(repeats, motion));
-    let is_worse = runs
-        .repeats
-        .as_ref()
-        .is_some_and(|repeats| repeats.worst_state() > Some(runs.deciding.damage.state));
-    if let Some(worst) = worst.filter(|worst| worst.word >= Earthquake::worst(&found) && is_worse) {
+    let state = Some(runs.deciding.damage.state);
+    let repeats = runs.repeats.as_ref().filter(|of| of.worst_state() > state);
+    let worst = repeats.and_then(|repeats| of_repeats(repeats, motion));
+    if let Some(worst) = worst.filter(|worst| worst.word >= Earthquake::worst(&found)) {
         found.insert(0, worst);
     }
     if runs.deciding.stack.is_pressed() {

@@ -9,7 +9,7 @@ use super::loads_on_soil::factor_on_soil;
 use crate::stability::Verdict;
 use crate::stability::stack::{
     BlownBlock, LoadFactor, ROUNDS, StackLoads, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
-    side_contacts, without_friction, without_sliding_friction,
+    smoother_starts, without_sliding_friction,
 };
 use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
@@ -124,11 +124,10 @@ fn least_of_frictions(
     if all_friction <= 0.0 {
         return Ok(least);
     }
-    let touching = side_contacts(&stack.clone().without_static_loads(), &StackLoads::default())?;
-    let without_touching = (!touching.is_empty()).then(|| without_friction(stack, &touching));
-    let sliding = without_sliding_friction(stack, least.found.mechanism.as_ref());
-    for start in [without_touching, sliding] {
-        let mut smoother = start;
+    let at_rest = stack.clone().without_static_loads();
+    let mechanism = least.found.mechanism.as_ref();
+    for start in smoother_starts(stack, (&at_rest, &StackLoads::default()), mechanism)? {
+        let mut smoother = Some(start);
         for _ in 0..ROUNDS {
             let Some(next) = smoother else {
                 break;

@@ -8,7 +8,7 @@ use super::limit_analysis::limit_analysis;
 use super::limit_options::{LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
 use super::mechanism::Mechanism;
 use super::undilated_beds::without_dilation;
-use super::upright_slip::{side_contacts, without_friction, without_sliding_friction};
+use super::upright_slip::{smoother_starts, without_sliding_friction};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -77,11 +77,9 @@ pub(crate) fn without_upright_friction(
     let Some(all_friction_g) = all_friction_g else {
         return Ok((found, governing));
     };
-    let touching = side_contacts(stack, &options.loads)?;
-    let without_touching = (!touching.is_empty()).then(|| without_friction(stack, &touching));
-    let sliding = without_sliding_friction(stack, found.analysis.mechanism.as_ref());
-    for start in [without_touching, sliding] {
-        let mut smoother = start;
+    let mechanism = found.analysis.mechanism.as_ref();
+    for start in smoother_starts(stack, (stack, &options.loads), mechanism)? {
+        let mut smoother = Some(start);
         for _ in 0..ROUNDS {
             let Some(next) = smoother else {
                 break;

@@ -80,4 +80,4 @@ pub use support_movement::{
 pub use threshold::Threshold;
 pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};
 pub(crate) use toe::{beyond, toe};
-pub(crate) use upright_slip::{side_contacts, without_friction, without_sliding_friction};
+pub(crate) use upright_slip::{smoother_starts, without_sliding_friction};

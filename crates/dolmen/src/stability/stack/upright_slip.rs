@@ -15,16 +15,38 @@ fn rubs_upright(stack: &Stack, joint: usize) -> bool {
     !carries(joint) && joint.material.friction_static > 0.0
 }
 
+/// The upright joints with friction that slide in a mechanism.
+fn sliding_with_friction(stack: &Stack, mechanism: Option<&Mechanism>) -> Vec<usize> {
+    let moving = mechanism.into_iter().flat_map(|mechanism| &mechanism.joints);
+    let sliding = moving
+        .filter(|moving| moving.motion.slides())
+        .map(|moving| moving.joint);
+    sliding.filter(|&joint| rubs_upright(stack, joint)).collect()
+}
+
 /// The stack without friction in the upright joints that slide in a mechanism; `None` if none of them has friction.
 pub(crate) fn without_sliding_friction(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Stack> {
-    let slides = mechanism?.joints.iter().filter(|moving| moving.motion.slides());
-    let sliding = slides.map(|moving| moving.joint);
-    let rubbing: Vec<usize> = sliding.filter(|&joint| rubs_upright(stack, joint)).collect();
+    let rubbing = sliding_with_friction(stack, mechanism);
     (!rubbing.is_empty()).then(|| without_friction(stack, &rubbing))
 }
 
+/// The stacks with which a search without friction in upright joints begins: without that of the joints that only touch at rest, and, if others slide
+/// in the mechanism with all friction, without that of the sliding joints. `at_rest`: the stack under its loads at rest.
+pub(crate) fn smoother_starts(
+    stack: &Stack,
+    (at_rest, loads): (&Stack, &StackLoads),
+    mechanism: Option<&Mechanism>,
+) -> Result<Vec<Stack>, StabilityError> {
+    let touching = side_contacts(at_rest, loads)?;
+    let sliding = sliding_with_friction(stack, mechanism);
+    let is_covered = sliding.iter().all(|joint| touching.contains(joint));
+    let starts = [touching, if is_covered { Vec::new() } else { sliding }];
+    let given = starts.iter().filter(|joints| !joints.is_empty());
+    Ok(given.map(|joints| without_friction(stack, joints)).collect())
+}
+
 /// The stack without friction in some joints.
-pub(crate) fn without_friction(stack: &Stack, joints: &[usize]) -> Stack {
+fn without_friction(stack: &Stack, joints: &[usize]) -> Stack {
     joints.iter().fold(stack.clone(), |smoother, &joint| {
         let mut material = smoother.joints()[joint].material;
         (material.friction_static, material.friction_kinetic) = (0.0, 0.0);
@@ -41,7 +63,7 @@ pub(crate) fn without_friction(stack: &Stack, joints: &[usize]) -> Stack {
 /// ```
 ///
 /// The joints of a keystone stay, because it falls without them; those between the leaves of a wall do not.
-pub(crate) fn side_contacts(stack: &Stack, loads: &StackLoads) -> Result<Vec<usize>, StabilityError> {
+fn side_contacts(stack: &Stack, loads: &StackLoads) -> Result<Vec<usize>, StabilityError> {
     let count = stack.joints().len();
     let mut left_out: Vec<usize> = (0..count).filter(|&joint| rubs_upright(stack, joint)).collect();
     let ends = |joint: usize| {
