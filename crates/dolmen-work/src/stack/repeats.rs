@@ -22,7 +22,8 @@ const REPEAT_UPDATES_MOST: f64 = 1e9;
 /// Number of runs of the decisive law, all except the first with differences too small to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Repeating {
-    /// Eight if one run shows damage that is not the worst, because small differences may make it worse.
+    /// Eight if one run shows damage that is not the worst, or none although the ground nearly reaches the threshold of motion: small differences
+    /// may make it worse.
     AsNeeded {
         /// Largest number of updates of contact points.
         updates_most: f64,
@@ -46,7 +47,11 @@ impl Repeating {
         match self {
             Repeating::Times(times) => times,
             Repeating::AsNeeded { updates_most } => {
-                let is_open = matches!(run.damage.state, DamageState::Begun | DamageState::Offset);
+                let is_open = match run.damage.state {
+                    DamageState::None => run.nearly_moves(),
+                    DamageState::Begun | DamageState::Offset => true,
+                    DamageState::Severe | DamageState::Fallen => false,
+                };
                 let updates = run.history.contact_points as f64 * run.history.steps as f64;
                 let more = (AS_NEEDED - 1) as f64;
                 match is_open && run.is_whole() && more * updates <= updates_most {

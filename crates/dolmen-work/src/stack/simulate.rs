@@ -12,7 +12,7 @@ use crate::progress::{Progress, simulating};
 use crate::survey_dates::date;
 use crate::told::told;
 use crate::version::Version;
-use dolmen::assess::{DamageThresholds, StackCheckOptions, check_stack, stack_damage};
+use dolmen::assess::{DamageState, DamageThresholds, StackCheckOptions, check_stack, stack_damage};
 use dolmen::blocks::{AfterFall, ContactLaw, ContactRule, Outcome, Rigid, Springs, simulate_stack};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, Standing, stack_limits};
@@ -22,6 +22,10 @@ use dolmen_project::{Project, Quantity, StackPart, Survey};
 /// Largest number of updates of contact points (points times steps) for the rigid law by default. Our choice: about a minute where stones slide
 /// on each other.
 const RIGID_UPDATES_MOST: f64 = 3e7;
+
+/// Step of the rigid law near the threshold of motion, s, rounded to a whole part of the usual step. Our choice: at the usual 1 ms, 8 of 64 slender blocks shaken by 1.08 to 1.3 of
+/// their threshold seemed whole that are damaged at this step, none the other way round.
+const STEP_NEAR_THRESHOLD_S: f64 = 2e-4;
 
 /// The choice of laws of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -92,6 +96,7 @@ pub(crate) fn simulate(
     };
     let first = shaken.run(
         law_of(options, options.law == Law::Rigid, &shaken.stack),
+        options,
         progress,
     )?;
     let is_alone = match options.law {
@@ -162,7 +167,38 @@ struct Shakable<'a> {
 }
 
 impl Shakable<'_> {
-    fn run(&self, law: ContactLaw, progress: &dyn Progress) -> Result<StackSimulation, WorkError> {
+    /// A run by a law. Where the ground nearly reaches the threshold of motion and a step of [`STEP_NEAR_THRESHOLD_S`] is not too costly, the rigid
+    /// law takes it: stones that lift for some milliseconds land again within a few usual steps, which damps their motion away.
+    fn run(
+        &self,
+        law: ContactLaw,
+        options: &StackOptions,
+        progress: &dyn Progress,
+    ) -> Result<StackSimulation, WorkError> {
+        let run = self.run_once(law.clone(), progress)?;
+        let ContactLaw::Rigid(rigid) = law else {
+            return Ok(run);
+        };
+        let parts = (rigid.time_step_s / STEP_NEAR_THRESHOLD_S).round().max(1.0);
+        let finer = ContactLaw::Rigid(Rigid {
+            time_step_s: rigid.time_step_s / parts,
+            ..rigid
+        });
+        let is_given = options.law == Law::Rigid && options.step_s.is_some();
+        let is_open = run.is_whole() && run.damage.state < DamageState::Severe;
+        let is_finer = is_open
+            && parts > 1.0
+            && run.nearly_moves()
+            && !is_given
+            && !progress.is_cancelled()
+            && (options.however_long || updates(&finer, &run) <= RIGID_UPDATES_MOST);
+        match is_finer {
+            true => self.run_once(finer, progress),
+            false => Ok(run),
+        }
+    }
+
+    fn run_once(&self, law: ContactLaw, progress: &dyn Progress) -> Result<StackSimulation, WorkError> {
         let (stack, motion) = (&self.stack, &self.motion.motion);
         let whole_s = law.run_length_s(motion.duration_s());
         let history = simulating(progress, whole_s, |reached| {
@@ -209,7 +245,7 @@ impl Shakable<'_> {
                 most: RIGID_UPDATES_MOST,
             }));
         }
-        let rigid = match self.run(law, progress) {
+        let rigid = match self.run(law, options, progress) {
             Ok(run) => run,
             Err(why) if is_asked => return Err(why),
             Err(why) => return Ok(left_out(LeftOut::Refused { why: told(&why) })),

@@ -64,7 +64,20 @@ pub(super) fn came_to_its_end(outcome: &Outcome) -> bool {
     )
 }
 
+/// Share of the threshold of motion from which a motion counts as near it: shaking upwards lowers the threshold. Our choice.
+const NEARLY: f64 = 0.8;
+
 impl StackSimulation {
+    /// Whether the ground reaches [`NEARLY`] of the acceleration at which a joint moves, or more.
+    pub(super) fn nearly_moves(&self) -> bool {
+        let limits = [&self.limits.uplift, &self.limits.sliding];
+        let each = limits.into_iter().flatten();
+        let least_g = each
+            .map(|limit| limit.threshold.acceleration_g)
+            .fold(f64::INFINITY, f64::min);
+        NEARLY * least_g <= self.peak_horizontal_g()
+    }
+
     /// End of the run, s, if it is before that of the motion and no stone fell: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let motion_s = self.motion.motion.duration_s();
