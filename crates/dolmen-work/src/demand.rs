@@ -13,7 +13,7 @@ use crate::told::told_both;
 use crate::wrong::NotHeld;
 use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
-use dolmen::assess::demand::{SiteDemand, circolare_demand, stack_against_site};
+use dolmen::assess::demand::{SiteDemand, checked_stack_against_site, circolare_demand};
 use dolmen::stability::Verdict;
 use dolmen::structure::lowest_frequency_hz;
 use dolmen_project::{Project, Quantity, Structure};
@@ -61,7 +61,8 @@ pub(crate) fn of(
             answer.refused = Some(NotHeld::Falls.into());
         } else {
             let options = StackCheckOptions::default();
-            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes.as_deref())?;
+            let checked = (&stack.stack, &stack.check);
+            answer.stack = checked_stack_against_site(checked, &options, &answer.site, modes.as_deref())?;
             answer.local_mechanisms = local_mechanisms(stack, &answer.site);
             let rocks = stack.check.rocking;
             // left out for a table at another damping ratio, or one that ends too early

@@ -7,7 +7,7 @@ use crate::stability::Verdict;
 use crate::stability::stack::{
     DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
     MovementEnding, OnSoil, PeriodOfThumb, RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits,
-    StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
+    StackLoads, SupportMovementOptions, Threshold, Undilated, compare_with_demand, follow_support_movement,
     limit_analysis, limit_analysis_undilated, period_of_thumb, rocking_blocks, stack_limits,
     stands_by_limit_analysis, turned_at_rest,
 };
@@ -32,6 +32,8 @@ pub struct StackCheck {
     pub analysis: Option<LimitAnalysisResult>,
     /// Least acceleration at which it begins to move, by joints and limit analysis; `None` if it does not stand.
     pub capacity: Option<Threshold>,
+    /// The same without static loads, if some press on stones.
+    pub capacity_without_loads: Option<Threshold>,
     /// Whether the stack is stable, marginal or unstable without shaking.
     pub verdict: Verdict,
     /// The part that rocks first as one block; `None` if the stack does not stand, slides first or carries static loads.
@@ -123,15 +125,12 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         });
     }
     if stack.is_pressed() {
-        let free = StackCheckOptions {
-            demand: None,
-            ..options.clone()
-        };
-        let without = check_stack(&stack.clone().without_static_loads(), &free)?;
+        let without = first_motion(&stack.clone().without_static_loads(), options)?;
         check.notes.push(StackNote::LoadsWithoutMass {
             with_g: check.capacity.map(|capacity| capacity.acceleration_g),
-            without_g: without.capacity.map(|capacity| capacity.acceleration_g),
+            without_g: without.map(|least| least.acceleration_g),
         });
+        check.capacity_without_loads = without;
     }
     if check.verdict != Verdict::Unstable && !stack.support_movements().is_empty() {
         let following = SupportMovementOptions {
@@ -169,6 +168,7 @@ fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         verdict: limits.verdict,
         analysis: None,
         capacity: None,
+        capacity_without_loads: None,
         rocking: None,
         crushing: None,
         period_of_thumb: period_of_thumb(stack.height_m())?,
@@ -278,64 +278,109 @@ fn note_kinetic_friction(
     Ok(())
 }
 
-/// Limit analysis in addition to the single joints; the smaller result is the capacity.
-fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
-    let governing = governing_joint(&check.limits);
-    let shaking = match governing {
-        Some(threshold) if check.limits.statically_determinate => Shaking::Along(threshold.direction),
-        _ => Shaking::AnyWay,
-    };
-    let soil = OnSoil::of(stack, &options.limits.loads)?;
-    let asked = LimitAnalysis {
-        loads: options.limits.loads.clone(),
-        shaking,
-        holding: Holding::Cohesion,
-        ..LimitAnalysis::default()
-    };
-    let found = limit_analysis_undilated(stack, &asked)?;
-    let analysis = found.analysis;
-    let status = analysis.status;
-    let least_g = analysis.at_least_g;
-    let mut at_least_g = least_g;
-    check.analysis = Some(analysis);
-    let overturns = check.limits.footing.map(|footing| footing.overturns);
-    let mut least = sooner(governing, overturns);
-    match status {
-        LimitAnalysisStatus::Limited(threshold) => {
-            let found = on_soil(stack, &soil, &asked, &threshold)?;
-            at_least_g = soil.over_gravity(least_g, &threshold).min(found.acceleration_g);
-            if least.is_none_or(|least| found.acceleration_m_s2 < least.acceleration_m_s2) {
-                least = Some(found);
+/// The limit analysis of a stack, and the acceleration at which it begins to move.
+struct FirstMotion {
+    found: Undilated,
+    soil: OnSoil,
+    /// The smallest acceleration of single joints.
+    governing: Option<Threshold>,
+    /// The smaller of that and the limit of the analysis.
+    least: Option<Threshold>,
+    /// Acceleration up to which the analysis found balanced forces, over gravity.
+    at_least_g: f64,
+}
+
+impl FirstMotion {
+    fn of(
+        stack: &Stack,
+        options: &StackCheckOptions,
+        limits: &StackLimitStates,
+    ) -> Result<Self, AssessError> {
+        let governing = governing_joint(limits);
+        let shaking = match governing {
+            Some(threshold) if limits.statically_determinate => Shaking::Along(threshold.direction),
+            _ => Shaking::AnyWay,
+        };
+        let soil = OnSoil::of(stack, &options.limits.loads)?;
+        let asked = LimitAnalysis {
+            loads: options.limits.loads.clone(),
+            shaking,
+            holding: Holding::Cohesion,
+            ..LimitAnalysis::default()
+        };
+        let found = limit_analysis_undilated(stack, &asked)?;
+        let mut at_least_g = found.analysis.at_least_g;
+        let overturns = limits.footing.map(|footing| footing.overturns);
+        let mut least = sooner(governing, overturns);
+        if let LimitAnalysisStatus::Limited(threshold) = found.analysis.status {
+            let turned = on_soil(stack, &soil, &asked, &threshold)?;
+            at_least_g = soil
+                .over_gravity(at_least_g, &threshold)
+                .min(turned.acceleration_g);
+            if least.is_none_or(|least| turned.acceleration_m_s2 < least.acceleration_m_s2) {
+                least = Some(turned);
             }
         }
-        LimitAnalysisStatus::DoesNotStand => {
-            check.verdict = Verdict::Unstable;
-            check.notes.push(StackNote::AnalysisFalls);
-            return Ok(());
-        }
-        LimitAnalysisStatus::Unlimited => {}
-    }
-    if let Some(least) = least
-        && governing.is_none_or(|joints| least.acceleration_m_s2 < (1.0 - LOWER) * joints.acceleration_m_s2)
-    {
-        check.notes.push(StackNote::AnalysisLower {
-            joints_g: governing.map(|joints| joints.acceleration_g),
-            analysis_g: least.acceleration_g,
-        });
-    }
-    if let Some(least) = least
-        && at_least_g < (1.0 - BETWEEN) * least.acceleration_g
-    {
-        check.notes.push(StackNote::AnalysisBetween {
+        Ok(FirstMotion {
+            found,
+            soil,
+            governing,
+            least,
             at_least_g,
-            analysis_g: least.acceleration_g,
-        });
+        })
     }
-    check.capacity = least;
-    if least.is_some_and(|least| least.acceleration_m_s2 <= 0.0) {
-        // what the soil turns at rest is more than a joint bears
+
+    /// The acceleration at which it begins to move; `None` if it does not stand, or if nothing moves it.
+    fn capacity(&self) -> Option<Threshold> {
+        match self.found.analysis.status {
+            LimitAnalysisStatus::DoesNotStand => None,
+            // otherwise what the soil turns at rest is more than a joint bears
+            _ => self.least.filter(|least| least.acceleration_m_s2 > 0.0),
+        }
+    }
+}
+
+/// The capacity of [`check_stack`] alone: without its verdict, its notes and moving supports.
+pub(super) fn first_motion(
+    stack: &Stack,
+    options: &StackCheckOptions,
+) -> Result<Option<Threshold>, AssessError> {
+    let limits = stack_limits(stack, &options.limits)?;
+    match limits.standing.stands() {
+        true => Ok(FirstMotion::of(stack, options, &limits)?.capacity()),
+        false => Ok(None),
+    }
+}
+
+/// Limit analysis in addition to the single joints; the smaller result is the capacity.
+fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
+    let motion = FirstMotion::of(stack, options, &check.limits)?;
+    check.capacity = motion.capacity();
+    let FirstMotion {
+        found,
+        soil,
+        governing,
+        least,
+        at_least_g,
+    } = motion;
+    let falls = found.analysis.status == LimitAnalysisStatus::DoesNotStand;
+    check.analysis = Some(found.analysis);
+    if let Some(least) = least.filter(|_| !falls) {
+        if governing.is_none_or(|joints| least.acceleration_m_s2 < (1.0 - LOWER) * joints.acceleration_m_s2) {
+            check.notes.push(StackNote::AnalysisLower {
+                joints_g: governing.map(|joints| joints.acceleration_g),
+                analysis_g: least.acceleration_g,
+            });
+        }
+        if at_least_g < (1.0 - BETWEEN) * least.acceleration_g {
+            check.notes.push(StackNote::AnalysisBetween {
+                at_least_g,
+                analysis_g: least.acceleration_g,
+            });
+        }
+    }
+    if falls || (least.is_some() && check.capacity.is_none()) {
         check.verdict = Verdict::Unstable;
-        check.capacity = None;
         check.notes.push(StackNote::AnalysisFalls);
         return Ok(());
     }

@@ -22,7 +22,7 @@ pub use korea::{
     Kds41, KoreanSite, KoreanZone, RiskFactor, SoilAmplification, kds_17, kds_17_amplification,
     kds_17_effective_acceleration_g, kds_17_risk_factor, kds_41, kds_41_spectrum,
 };
-pub use of_stack::{StackDemandCheck, StackDemandRow, stack_against_site};
+pub use of_stack::{StackDemandCheck, StackDemandRow, checked_stack_against_site, stack_against_site};
 pub use plane_modes::{chain_moments_by_spectrum, frame_drifts_by_spectrum};
 pub use shaken_direction::ShakenDirection;
 pub use site::{Site, SiteDemand, SiteParameters, site_demand};

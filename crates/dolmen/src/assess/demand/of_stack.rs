@@ -2,8 +2,9 @@
 
 use super::by_modes::{ModalDemand, ModalRatio};
 use super::{ShakenDirection, SiteDemand};
+use crate::assess::stack::first_motion;
 use crate::assess::stack_on_soil::on_soil;
-use crate::assess::{AssessError, StackCheckOptions, check_stack};
+use crate::assess::{AssessError, StackCheck, StackCheckOptions};
 use crate::blocks::{StackMode, first_sway, sway_amplification};
 use crate::stability::stack::{
     DemandComparison, DemandVerdict, LimitAnalysis, LimitAnalysisStatus, OnSoil, Shaking, SpectralDemand,
@@ -92,11 +93,56 @@ pub fn stack_against_site(
     site: &SiteDemand,
     modes: Option<&[StackMode]>,
 ) -> Result<Option<StackDemandCheck>, AssessError> {
-    let with = match against_site(stack, options, site, modes)? {
+    if site.peak_ground_acceleration_m_s2.is_none() {
+        return Ok(None);
+    }
+    let known = KnownMotion {
+        with_loads: first_motion(stack, options)?,
+        without_loads: match stack.is_pressed() {
+            true => first_motion(&stack.clone().without_static_loads(), options)?,
+            false => None,
+        },
+    };
+    known_against_site(stack, options, site, modes, &known)
+}
+
+/// As [`stack_against_site`], for a stack that is checked already with the same options.
+///
+/// # Errors
+/// Those of [`stack_against_site`].
+pub fn checked_stack_against_site(
+    (stack, check): (&Stack, &StackCheck),
+    options: &StackCheckOptions,
+    site: &SiteDemand,
+    modes: Option<&[StackMode]>,
+) -> Result<Option<StackDemandCheck>, AssessError> {
+    let known = KnownMotion {
+        with_loads: check.capacity,
+        without_loads: check.capacity_without_loads,
+    };
+    known_against_site(stack, options, site, modes, &known)
+}
+
+/// Least acceleration in any direction at which a stack begins to move; `None` if it does not stand, or if nothing moves it.
+struct KnownMotion {
+    with_loads: Option<Threshold>,
+    /// For the stack without static loads; not used if none press on stones.
+    without_loads: Option<Threshold>,
+}
+
+fn known_against_site(
+    stack: &Stack,
+    options: &StackCheckOptions,
+    site: &SiteDemand,
+    modes: Option<&[StackMode]>,
+    known: &KnownMotion,
+) -> Result<Option<StackDemandCheck>, AssessError> {
+    let with = match against_site(stack, options, site, modes, known.with_loads)? {
         Some(with) if stack.is_pressed() => with,
         with => return Ok(with),
     };
-    let free = against_site(&stack.clone().without_static_loads(), options, site, modes)?;
+    let without = stack.clone().without_static_loads();
+    let free = against_site(&without, options, site, modes, known.without_loads)?;
     let ratio = |of: &StackDemandCheck| of.least_ratio().unwrap_or(f64::INFINITY);
     let worse = free.filter(|free| {
         let (own, other) = (severity(&free.verdict), severity(&with.verdict));
@@ -116,6 +162,7 @@ fn against_site(
     options: &StackCheckOptions,
     site: &SiteDemand,
     modes: Option<&[StackMode]>,
+    any_way: Option<Threshold>,
 ) -> Result<Option<StackDemandCheck>, AssessError> {
     let Some(peak) = site.peak_ground_acceleration_m_s2 else {
         return Ok(None);
@@ -163,7 +210,10 @@ fn against_site(
     .zip(by_modes)
     {
         let of = |options: &StackCheckOptions| capacity(stack, options, direction);
-        let capacity = of(options)?;
+        let capacity = match direction {
+            ShakenDirection::Any => any_way,
+            _ => of(options)?,
+        };
         let capacity_with_vertical = match vertical {
             _ if weightless => None,
             0.0 => capacity,
@@ -226,7 +276,7 @@ fn capacity(
     direction: ShakenDirection,
 ) -> Result<Option<Threshold>, AssessError> {
     let ways = match direction {
-        ShakenDirection::Any => return Ok(check_stack(stack, options)?.capacity),
+        ShakenDirection::Any => return first_motion(stack, options),
         ShakenDirection::X => [[1.0, 0.0], [-1.0, 0.0]],
         ShakenDirection::Y => [[0.0, 1.0], [0.0, -1.0]],
     };

@@ -42,7 +42,7 @@ pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>,
 
 /// The mechanism that certifies that a piece falls.
 fn certified(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
-    let mut programme = piece.programme(AccelerationSet::Line(ANY_WAY))?;
+    let mut programme = piece.programme(AccelerationSet::Line(ANY_WAY));
     let velocities = programme.falling_velocities(ANY_WAY)?;
     Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
 }

@@ -17,7 +17,7 @@ const SAME: f64 = 1e-6;
 
 /// The smallest limit over all directions, or one that is certainly above `enough`.
 pub(super) fn any_way(piece: &Piece, enough: f64) -> Result<DirectionLimit, StabilityError> {
-    let mut programme = piece.programme(AccelerationSet::Plane)?;
+    let mut programme = piece.programme(AccelerationSet::Plane);
     let unknowns = programme.unknowns();
     let (mut least, mut velocities) = (f64::INFINITY, Vec::new());
     let ask = |towards: [f64; 2]| {
@@ -59,7 +59,7 @@ pub(super) fn near(piece: &Piece, ways: &[[f64; 2]]) -> Result<DirectionLimit, S
             continue;
         }
         asked.push(way);
-        let mut programme = piece.programme(AccelerationSet::Line(way))?;
+        let mut programme = piece.programme(AccelerationSet::Line(way));
         near.unknowns = programme.unknowns();
         for towards in [way, way.map(|part| -part)] {
             let found = &mut near.found;

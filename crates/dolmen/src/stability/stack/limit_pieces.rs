@@ -2,11 +2,11 @@
 
 use super::SwayingForces;
 use super::cuts::{SupportRelation, carries};
-use super::limit_programme::{AccelerationSet, Column, Programme, Push, ToePush, settings};
+use super::limit_programme::{AccelerationSet, Programme, Terms, settings};
+use super::limit_pushes::{Column, Push, ToePush};
 use super::limit_region::{Symmetry, candidates, group, is_among, turned};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
-use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Stack};
 use clarabel::solver::DefaultSettings;
 use glam::DVec3;
@@ -175,7 +175,7 @@ impl Piece {
         &self.symmetries
     }
 
-    pub(super) fn programme(&self, within: AccelerationSet) -> Result<Programme, StabilityError> {
+    pub(super) fn programme(&self, within: AccelerationSet) -> Programme<'_> {
         self.programme_by(within, settings())
     }
 
@@ -183,14 +183,14 @@ impl Piece {
         &self,
         within: AccelerationSet,
         settings: DefaultSettings<f64>,
-    ) -> Result<Programme, StabilityError> {
-        Programme::new(
-            &self.at_rest,
-            [&self.shaking[0], &self.shaking[1]],
-            &self.pushes,
+    ) -> Programme<'_> {
+        Programme::new(Terms {
+            at_rest: &self.at_rest,
+            shaking: [&self.shaking[0], &self.shaking[1]],
+            pushes: &self.pushes,
             within,
             settings,
-        )
+        })
     }
 }
 

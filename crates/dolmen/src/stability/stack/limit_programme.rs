@@ -8,6 +8,8 @@
 //! | v | `x` | velocities and angular velocities of the blocks: a mechanism | – |
 //! | A_most | `ACCELERATION_MOST` | upper bound of the search | – |
 
+use super::chosen_toes::ChosenToes;
+use super::limit_pushes::{Column, Push};
 use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -21,30 +23,10 @@ const SOUGHT_ROUGH: f64 = 1e-7;
 /// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Our choice; the usual error
 /// is 1e-9.
 const MISSED_MOST: f64 = 1e-6;
+/// Largest overload of a stress block that is left out, over the size of the mechanism. Our choice: the usual error of a solution.
+const OVERLOADED_MOST: f64 = 1e-9;
 /// Coefficients (of order 1) below this are rounding errors and are left out. Our choice.
 const ROUNDING: f64 = 1e-13;
-
-/// Possible forces of a joint or tie at one point: columns of the force balance, one per unknown component.
-pub(super) enum Push {
-    /// Coulomb's cone |f₁, f₂| ≤ f₀: columns of the normal and of μ times the two directions of the plane.
-    Cone([Column; 3]),
-    /// Compression only.
-    Normal(Column),
-    /// All stress blocks of one joint, each in Coulomb's cone; the sum of their forces over their single capacities is at most 1.
-    Toes(Vec<ToePush>),
-    /// Any direction in a plane up to a strength (over the weight), which may be infinite.
-    Disc([Column; 2], f64),
-    /// Tension only, up to a strength (over the weight), which may be infinite.
-    Pull(Column, f64),
-}
-
-/// One stress block: the columns of its cone, and the fraction of the joint's capacity per unit of force.
-pub(super) struct ToePush {
-    pub(super) parts: [Column; 3],
-    pub(super) share: f64,
-}
-
-pub(super) type Column = Vec<(usize, f64)>;
 
 /// Set of accelerations in the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,30 +64,38 @@ pub(super) struct Support {
 /// mechanism   minimise −load·v + Σ strength·|slip| + Σ crushing + A_most |ν − m·v| over v:  Gᵀ v in the dual cones
 /// ```
 ///
-/// The solver treats both problems together; the agreement of their values is the certificate.
-pub(super) struct Programme {
+/// The solver treats both problems together; the agreement of their values is the certificate. Of the stress blocks of a joint it takes a few,
+/// and adds those that a mechanism overloads until it overloads none: the solution is then that of all (column generation).
+pub(super) struct Programme<'a> {
+    terms: Terms<'a>,
+    chosen: ChosenToes,
     solver: DefaultSolver<f64>,
     matrix: CscMatrix<f64>,
     costs: Vec<f64>,
     right: Vec<f64>,
     cones: Vec<SupportedConeT<f64>>,
-    within: AccelerationSet,
-    rows: usize,
 }
 
-impl Programme {
-    /// Builds the programme from the loads at rest [rows], the loads of 1 g along x and y [rows], and the possible forces.
-    pub(super) fn new(
-        at_rest: &[f64],
-        shaking: [&[f64]; 2],
-        pushes: &[Push],
-        within: AccelerationSet,
-        settings: DefaultSettings<f64>,
-    ) -> Result<Self, StabilityError> {
-        let rows = at_rest.len();
+/// What a programme is built from.
+pub(super) struct Terms<'a> {
+    /// The loads at rest [rows].
+    pub(super) at_rest: &'a [f64],
+    /// The loads of 1 g along x and y [rows].
+    pub(super) shaking: [&'a [f64]; 2],
+    /// The possible forces.
+    pub(super) pushes: &'a [Push],
+    pub(super) within: AccelerationSet,
+    pub(super) settings: DefaultSettings<f64>,
+}
+
+impl Terms<'_> {
+    /// The programme with some of the stress blocks.
+    fn build(&self, chosen: &ChosenToes) -> Build {
+        let rows = self.at_rest.len();
         let mut build = Build {
             columns: vec![Vec::new(); rows + 1],
-            costs: at_rest
+            costs: self
+                .at_rest
                 .iter()
                 .map(|load| -load)
                 .chain([ACCELERATION_MOST])
@@ -113,11 +103,11 @@ impl Programme {
             cones: Vec::new(),
             next: 0,
         };
-        let add = |ways: &[[f64; 2]], build: &mut Build| {
+        let mut add = |ways: &[[f64; 2]]| {
             build.columns[rows].push((build.next, -1.0));
             build.next += 1;
             for way in ways {
-                for (row, (x, y)) in shaking[0].iter().zip(shaking[1]).enumerate() {
+                for (row, (x, y)) in self.shaking[0].iter().zip(self.shaking[1]).enumerate() {
                     let value = way[0] * x + way[1] * y;
                     if value.abs() > ROUNDING {
                         build.columns[row].push((build.next, -value));
@@ -127,36 +117,104 @@ impl Programme {
             }
             build.cones.push(SupportedConeT::SecondOrderConeT(ways.len() + 1));
         };
-        match within {
-            AccelerationSet::Plane => add(&[[1.0, 0.0], [0.0, 1.0]], &mut build),
-            AccelerationSet::Line(way) => add(&[way], &mut build),
+        match self.within {
+            AccelerationSet::Plane => add(&[[1.0, 0.0], [0.0, 1.0]]),
+            AccelerationSet::Line(way) => add(&[way]),
         }
-        for push in pushes {
-            build.push(push);
+        for (push, chosen) in self.pushes.iter().zip(chosen.of_pushes()) {
+            build.push(push, chosen);
         }
-        let right = vec![0.0; build.next];
-        let matrix = build.matrix();
-        let none = CscMatrix::zeros((matrix.n, matrix.n));
-        let solver = DefaultSolver::new(&none, &build.costs, &matrix, &right, &build.cones, settings);
-        Ok(Programme {
+        build
+    }
+}
+
+fn solver_of(
+    build: &Build,
+    settings: &DefaultSettings<f64>,
+) -> (DefaultSolver<f64>, CscMatrix<f64>, Vec<f64>) {
+    let right = vec![0.0; build.next];
+    let matrix = build.matrix();
+    let none = CscMatrix::zeros((matrix.n, matrix.n));
+    let solver = DefaultSolver::new(
+        &none,
+        &build.costs,
+        &matrix,
+        &right,
+        &build.cones,
+        settings.clone(),
+    );
+    (solver, matrix, right)
+}
+
+impl<'a> Programme<'a> {
+    /// Builds the programme.
+    pub(super) fn new(terms: Terms<'a>) -> Self {
+        let chosen = ChosenToes::first(terms.pushes);
+        let build = terms.build(&chosen);
+        let (solver, matrix, right) = solver_of(&build, &terms.settings);
+        Programme {
+            terms,
+            chosen,
             solver,
             matrix,
             costs: build.costs,
             right,
             cones: build.cones,
-            within,
-            rows,
-        })
+        }
     }
 
-    /// Number of unknown forces and accelerations.
+    /// Builds the programme again, with the stress blocks chosen since.
+    fn renew(&mut self) {
+        let build = self.terms.build(&self.chosen);
+        (self.solver, self.matrix, self.right) = solver_of(&build, &self.terms.settings);
+        (self.costs, self.cones) = (build.costs, build.cones);
+    }
+
+    /// Number of unknown forces and accelerations, with all stress blocks.
     pub(super) fn unknowns(&self) -> usize {
-        self.right.len()
+        self.right.len() + 3 * self.chosen.left_out(self.terms.pushes)
+    }
+
+    /// The programme with all stress blocks.
+    #[cfg(test)]
+    pub(super) fn with_all_toes(mut self) -> Self {
+        self.chosen.all(self.terms.pushes);
+        self.renew();
+        self
+    }
+
+    /// Number of stress blocks that are not included.
+    #[cfg(test)]
+    pub(super) fn left_out(&self) -> usize {
+        self.chosen.left_out(self.terms.pushes)
     }
 
     /// Largest acceleration along ν in equilibrium.
     pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
-        match self.within {
+        loop {
+            let found = self.support_of_chosen(towards);
+            let x = &self.solver.solution.x;
+            let most = match &found {
+                // the scale of a mechanism that falls is the energy that it gains
+                Ok(ProgrammeOutcome::Falls) => -dot(&self.costs, x) * MISSED_MOST,
+                _ => OVERLOADED_MOST * x.iter().fold(1.0_f64, |most, value| most.max(value.abs())),
+            };
+            let is_more = match found {
+                Err(_) => self.chosen.all(self.terms.pushes),
+                Ok(_) => self
+                    .chosen
+                    .add_overloaded(self.terms.pushes, x, self.terms.at_rest.len() + 1, most),
+            };
+            if !is_more {
+                return found;
+            }
+            self.renew();
+        }
+    }
+
+    /// The same with the stress blocks chosen so far.
+    fn support_of_chosen(&mut self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
+        match self.terms.within {
             AccelerationSet::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
             AccelerationSet::Line(way) => self.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
         }
@@ -171,7 +229,7 @@ impl Programme {
             return self.falls();
         }
         let (x, z) = (&solution.x, &solution.z);
-        let point = match self.within {
+        let point = match self.terms.within {
             AccelerationSet::Plane => [z[1], z[2]],
             AccelerationSet::Line(way) => [z[1] * way[0], z[1] * way[1]],
         };
@@ -209,26 +267,26 @@ impl Programme {
 
     /// Velocities of the last solution.
     pub(super) fn velocities(&self) -> &[f64] {
-        &self.solver.solution.x[..self.rows]
+        &self.solver.solution.x[..self.terms.at_rest.len()]
     }
 
     /// The force of each push in the last solution, in its unit: along the first axis of its link, and the components that its columns across
     /// that axis multiply.
-    pub(super) fn forces(&self, pushes: &[Push]) -> Vec<[f64; 3]> {
+    pub(super) fn forces(&self) -> Vec<[f64; 3]> {
         let z = &self.solver.solution.z;
-        let mut row = match self.within {
+        let mut row = match self.terms.within {
             AccelerationSet::Plane => 3,
             AccelerationSet::Line(_) => 2,
         };
-        let mut forces = Vec::with_capacity(pushes.len());
-        for push in pushes {
+        let mut forces = Vec::with_capacity(self.terms.pushes.len());
+        for (push, chosen) in self.terms.pushes.iter().zip(self.chosen.of_pushes()) {
             let (force, rows) = match push {
                 Push::Cone(_) => ([z[row], z[row + 1], z[row + 2]], 3),
                 Push::Normal(_) => ([z[row], 0.0, 0.0], 1),
-                Push::Toes(toes) => {
-                    let each = z[row + 1..row + 1 + 3 * toes.len()].chunks_exact(3);
+                Push::Toes(_) => {
+                    let each = z[row + 1..row + 1 + 3 * chosen.len()].chunks_exact(3);
                     let sum = each.fold([0.0; 3], |sum, toe| std::array::from_fn(|k| sum[k] + toe[k]));
-                    (sum, 1 + 3 * toes.len())
+                    (sum, 1 + 3 * chosen.len())
                 }
                 Push::Disc(_, strength) => {
                     let first = row + usize::from(strength.is_finite());
@@ -348,7 +406,7 @@ pub(super) fn least_pull(
     let most = units.iter().copied().fold(0.0, f64::max);
     let mut opens = vec![0.0; rows];
     for (push, unit) in pushes.iter().zip(units) {
-        build.push(push);
+        build.push(push, &[]);
         if let Push::Cone([normal, ..]) | Push::Normal(normal) = push {
             for &(row, value) in normal {
                 opens[row] -= value * most / unit;
@@ -383,7 +441,8 @@ struct Build {
 }
 
 impl Build {
-    fn push(&mut self, push: &Push) {
+    /// Adds the forces of a push; of its stress blocks, those that are chosen.
+    fn push(&mut self, push: &Push, chosen: &[usize]) {
         match push {
             Push::Cone(parts) => {
                 for part in parts {
@@ -400,7 +459,7 @@ impl Build {
                 self.bounded(1.0);
                 self.cones.push(SupportedConeT::NonnegativeConeT(1));
                 let variable = self.columns.len() - 1;
-                for toe in toes {
+                for toe in chosen.iter().map(|&toe| &toes[toe]) {
                     self.columns[variable].push((self.next, -toe.share));
                     for part in &toe.parts {
                         self.row(part);

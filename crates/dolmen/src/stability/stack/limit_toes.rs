@@ -85,15 +85,17 @@ pub(super) fn toes(
                 false => (BETWEEN_FEW, &MANY[..]),
             };
             let own = std::iter::once(force_n / whole_n);
-            (between, usual.iter().copied().chain(own).collect::<Vec<f64>>())
+            (between, own.chain(usual.iter().copied()).collect::<Vec<f64>>())
         }
     };
     let mut all = vec![Toe {
         at_m: moments.centroid_m,
         capacity_n: whole_n,
     }];
-    for outward in outwards(patch, between).into_iter().chain(towards) {
-        for &share in shares.iter().filter(|&&share| share > 0.0 && share < 1.0) {
+    let outwards: Vec<[f64; 2]> = outwards(patch, between).into_iter().chain(towards).collect();
+    // those of the expected force first
+    for &share in shares.iter().filter(|&&share| share > 0.0 && share < 1.0) {
+        for &outward in &outwards {
             if let Some(at_m) = toe(std::slice::from_ref(patch), outward, share * area) {
                 all.push(Toe {
                     at_m,

@@ -131,7 +131,7 @@ pub fn growth(
     let (pieces, unit) = pieces_of(&bare, steady, growing)?;
     let mut least = f64::INFINITY;
     for piece in &pieces {
-        match piece.programme(AccelerationSet::Line(GROWS))?.support(GROWS)? {
+        match piece.programme(AccelerationSet::Line(GROWS)).support(GROWS)? {
             ProgrammeOutcome::Reaches(support) if support.bound < MOST => {
                 least = least.min(support.bound * unit)
             }

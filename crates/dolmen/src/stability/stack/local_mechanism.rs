@@ -171,7 +171,7 @@ impl Limit {
             moving: None,
         };
         for (index, piece) in pieces.iter().enumerate() {
-            let mut programme = piece.programme(AccelerationSet::Line(way))?;
+            let mut programme = piece.programme(AccelerationSet::Line(way));
             match programme.support(way)? {
                 ProgrammeOutcome::Reaches(support) if support.bound > 0.0 => {
                     if support.bound < limit.multiplier {

@@ -1,6 +1,7 @@
 //! Stacks of stone: the joint that first opens or slides and its horizontal acceleration, thrust line, pressure.
 
 mod blown;
+mod chosen_toes;
 mod contact;
 mod cut_resistances;
 mod cuts;
@@ -16,6 +17,7 @@ mod limit_near;
 mod limit_options;
 mod limit_pieces;
 mod limit_programme;
+mod limit_pushes;
 mod limit_region;
 mod limit_states;
 mod limit_toes;

@@ -14,7 +14,8 @@ use super::limit_acts::{LimitProblem, acts};
 use super::limit_mechanism::moving_with;
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
 use super::limit_pieces::{GrowingLoad, Law, Piece, PossibleForce, pieces};
-use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome, Push};
+use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome};
+use super::limit_pushes::Push;
 use super::mechanism::Mechanism;
 use super::upright_slip::without_sliding_friction;
 use crate::stability::StabilityError;
@@ -140,7 +141,7 @@ fn solve(
         equations: 0,
     };
     for piece in pieces(stack, &loads, &forces, growing, ties) {
-        let mut programme = piece.programme(AccelerationSet::Line(way))?;
+        let mut programme = piece.programme(AccelerationSet::Line(way));
         let ProgrammeOutcome::Reaches(support) = programme.support(way)? else {
             return Ok(None);
         };
@@ -149,12 +150,7 @@ fn solve(
         analysis.variables += programme.unknowns();
         analysis.equations += piece.equations();
         let share = if held.is_some() { DILATION } else { 1.0 };
-        gather(
-            &mut joints,
-            stack,
-            &piece,
-            (&programme.forces(piece.pushes()), share),
-        );
+        gather(&mut joints, stack, &piece, (&programme.forces(), share));
         if least.as_ref().is_none_or(|(least, _)| support.bound < *least) {
             least = Some((support.bound, moving_with(stack, &piece, programme.velocities())));
         }
