@@ -5,7 +5,7 @@
 use super::building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
 use super::chain::{CapRaw, JointRaw, LinkRaw, StoneRaw};
 use super::file_names::{NamesRaw, PrintedNamesRaw};
-use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
+use super::file_number::{At, EvidenceRaw, NumberRaw, OrUnknown, QuantityRaw};
 use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 use super::limits::LimitsRaw;
 use super::loads::{CombinationRaw, LoadRaw, WindOrShelteredRaw};
@@ -112,6 +112,8 @@ pub(super) struct FileRaw {
     pub(super) floors: Option<At<Vec<At<FloorRaw>>>>,
     /// kind = "building": whether the weight takes part of the stiffness (P-delta); true if not given.
     pub(super) p_delta: Option<At<bool>>,
+    /// kind = "building": accidental eccentricity over the side of a floor; if not given, 0.05 where KDS 41 17 00 or EN 1998-1 decides, else none.
+    pub(super) accidental_eccentricity: Option<At<NumberRaw>>,
     /// kind = "building": damping of its modes; 5 % in every mode if not given.
     pub(super) damping: Option<At<DampingRaw>>,
     /// kind = "building": tuned mass dampers by name: [damper.NAME].

@@ -150,7 +150,17 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "as_surveyed",
         ],
     ),
-    ("building", &["floors", "p_delta", "damping", "damper", "points"]),
+    (
+        "building",
+        &[
+            "floors",
+            "p_delta",
+            "accidental_eccentricity",
+            "damping",
+            "damper",
+            "points",
+        ],
+    ),
 ];
 
 /// Lists that may be in a table beside the file.

@@ -115,6 +115,11 @@ messages! {
             ko: "{word}(연직 상태라면 저항/요구 {ratio})",
         },
         WordLeans(word: Both) => { en: "{word} (its tilt is not in the model)", ko: "{word}(기울기 미반영)" },
+        WordWithoutTorsion { word: Both, ratio: Quantity } => {
+            en: "{word} (capacity/demand {ratio} without accidental torsion)",
+            ko: "{word}(우발비틀림을 제외하면 저항/요구 {ratio})",
+        },
+        WordNoTorsion(word: Both) => { en: "{word} (accidental torsion is not included)", ko: "{word}(우발비틀림 미반영)" },
         WordLoosePost(word: Both) => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
         WordNoStiffness(word: Both) => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
@@ -513,6 +518,11 @@ fn word(of: &EarthquakeFinding) -> Headline {
             ratio: ratio(known),
         },
         (DecidedBy::LeansFurther, _) => Headline::WordLeans(word),
+        (DecidedBy::WithoutTorsion, Some(known)) if known.is_finite() => Headline::WordWithoutTorsion {
+            word,
+            ratio: ratio(known),
+        },
+        (DecidedBy::WithoutTorsion, _) => Headline::WordNoTorsion(word),
         (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand(word),
         (DecidedBy::Unfinished, _) => Headline::WordOpen(word),
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {

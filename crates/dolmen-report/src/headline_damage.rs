@@ -9,7 +9,7 @@ messages! {
         Begun => { en: "joints moved, DS1", ko: "접합면 거동 시작, DS1" },
         Offset => { en: "offsets left, DS2", ko: "잔류 어긋남, DS2" },
         Severe => { en: "severe damage, DS3", ko: "심한 손상, DS3" },
-        Fallen => { en: "a stone fell", ko: "낙하" },
+        Fallen => { en: "a stone fell, DS4", ko: "낙하, DS4" },
     }
 }
 

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod accepted_modes;
+mod accidental_torsion;
 mod aftershocks;
 mod allowed_drift_curves;
 mod anchors;

@@ -115,6 +115,8 @@ pub struct BuildingPart {
     pub floors: Vec<FloorPart>,
     /// Whether the weight reduces the stiffness (P-delta).
     pub p_delta: bool,
+    /// Accidental eccentricity over the side of a floor, if given; 0 leaves accidental torsion out.
+    pub accidental_eccentricity: Option<f64>,
     /// Damping of the modes, if given.
     pub damping: Option<DampingPart>,
     /// Dampers in the order of the file.

@@ -8,11 +8,12 @@ use super::read_damping::damping;
 use super::slips_damper::judge_dampers;
 use crate::error::Fault;
 use crate::file::FileRaw;
-use crate::file_number::{At, QuantityRaw};
+use crate::file_number::{At, NumberRaw, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, lengths, missing};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::written::short;
 use crate::wrong::WrongBuilding;
 use crate::wrong::said;
 use dolmen::dynamics::{DynamicsError, VibratingBuilding};
@@ -21,6 +22,8 @@ use dolmen::structure::building::{BuildingError, Outline, PDelta, PlanDirection}
 
 /// Most floors of a building. Our choice: none has more than 200.
 const FLOORS_MOST: usize = 300;
+/// Largest accidental eccentricity over the side of a floor: at its edge it is a half. Codes have 0.05.
+const ECCENTRICITY_MOST: f64 = 0.5;
 
 pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<BuildingPart> {
     let Some(list) = raw.floors.as_ref() else {
@@ -56,16 +59,32 @@ pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
     let damping = damping(reader, raw.damping.as_ref());
     let dampers = dampers(reader, raw.damper.as_ref(), count);
     let points = points(reader, raw.points.as_ref(), count);
+    let accidental_eccentricity = accidental_eccentricity(reader, raw.accidental_eccentricity.as_ref());
     (reader.faults.len() == before).then_some(())?;
     Some(BuildingPart {
         floors,
         p_delta: raw.p_delta.as_ref().is_none_or(|given| given.value),
+        accidental_eccentricity,
         damping,
         dampers,
         points,
         gravity_m_s2,
         as_written: None,
     })
+}
+
+/// The accidental eccentricity over the side of a floor, if given.
+fn accidental_eccentricity(reader: &mut Reader, raw: Option<&At<NumberRaw>>) -> Option<f64> {
+    const AT: &str = "accidental_eccentricity";
+    let fraction = reader.plain(raw, AT, Measure::Ratio, Bound::NotNegative)?;
+    if fraction > ECCENTRICITY_MOST {
+        let span = raw.map_or(0..0, |raw| raw.span.clone());
+        let fault = Fault::new(span, AT, format!("{AT} = {}", short(fraction)));
+        let allowed = WrongBuilding::MustBeAtMost(ECCENTRICITY_MOST.to_string());
+        reader.fault(fault.allowed(allowed).help(WrongBuilding::EccentricityOfCodes));
+        return None;
+    }
+    Some(fraction)
 }
 
 /// Rejects two floors with one name, or two walls of one storey, which tables could not distinguish.

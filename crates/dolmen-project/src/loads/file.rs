@@ -1,7 +1,7 @@
 //! The keys of wind, static loads and combinations.
 
 use super::file_force::ForceRaw;
-use crate::file_number::{At, QuantityRaw};
+use crate::file_number::{At, NumberRaw, QuantityRaw};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor, value::MapAccessDeserializer};
 use std::borrow::Cow;
@@ -99,7 +99,7 @@ pub(crate) struct WindRaw {
     pub(super) code: Option<At<WindCodeRaw>>,
     /// With a code: its terrain ("0", "I", "II", "III", "IV") or exposure ("A", "B", "C", "D").
     pub(super) terrain: Option<At<TerrainRaw>>,
-    /// With a code: factor on the speed for hills, c_o or K_zt; 1 if not given.
+    /// With a code: factor on the speed for hills, c_o or K_zt, at least 1; 1 if not given.
     pub(super) topography: Option<At<f64>>,
     /// KDS 41 12 00: importance factor I_w; 1 if not given.
     pub(super) importance_factor: Option<At<f64>>,
@@ -116,8 +116,8 @@ pub(crate) struct WindRaw {
     pub(super) eccentricity: Option<At<f64>>,
     /// Of a building: largest peak acceleration that is allowed on the top floor.
     pub(super) acceleration_limit: Option<At<QuantityRaw>>,
-    /// Of a building: largest drift of a storey that is allowed, over its height, such as 0.0025.
-    pub(super) drift_limit: Option<At<f64>>,
+    /// Of a building: largest drift of a storey that is allowed, over its height, "0.25 %" or "1/400".
+    pub(super) drift_limit: Option<At<NumberRaw>>,
     /// Where it comes from.
     pub(super) source: Option<String>,
 }

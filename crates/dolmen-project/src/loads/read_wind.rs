@@ -14,8 +14,10 @@ use dolmen::structure::wind::{EUROCODE_AIR_KG_M3, EurocodeTerrain, KDS_41_AIR_KG
 use dolmen_words::message::Both;
 use std::ops::Range;
 
-/// Factors for hills and importance, our choice: codes reach about 2.
+/// Factor for importance, our choice: codes reach about 2.
 const FACTOR: (f64, f64) = (0.5, 3.0);
+/// Factor on the speed for hills: c_o and K_zt are never below 1 (EN 1991-1-4:2005, A.3; KDS 41 12 00, K_zt = 1 on level ground).
+const TOPOGRAPHY: (f64, f64) = (1.0, FACTOR.1);
 
 pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Parts) -> Option<WindPart> {
     reader.mark("wind", &raw.span);
@@ -158,12 +160,12 @@ fn speed(reader: &mut Reader, of: &WindRaw, span: &Range<usize>) -> Option<WindS
         None => read(reader, &of.speed, "wind.speed", Measure::Velocity),
     };
     let factors = [
-        (&of.topography, "wind.topography"),
-        (&of.importance_factor, "wind.importance_factor"),
+        (&of.topography, "wind.topography", TOPOGRAPHY),
+        (&of.importance_factor, "wind.importance_factor", FACTOR),
     ]
-    .map(|(raw, path)| match raw {
+    .map(|(raw, path, (least, most))| match raw {
         None => Some(1.0),
-        Some(_) => reader.within(raw.as_ref(), path, FACTOR.0, FACTOR.1),
+        Some(_) => reader.within(raw.as_ref(), path, least, most),
     });
     let code = of.code.as_ref().map(|code| code.value);
     let terrain = code.and_then(|code| terrain(reader, of, code, span));

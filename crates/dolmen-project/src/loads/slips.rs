@@ -1,7 +1,8 @@
 //! Probable slips in wind and loads.
 
-use super::part::{LoadsPart, WindPart, WindSpeed};
+use super::part::{LoadsPart, WindGiven, WindPart, WindSpeed};
 use crate::reader::Reader;
+use crate::written::short;
 use crate::wrong::WrongLoads;
 
 /// Speed of a gust or of the mean in codes, m/s: from a fresh breeze to the largest measured gusts.
@@ -16,6 +17,12 @@ const FORCE_N: (f64, f64) = (1.0, 5e7);
 const WEIGHT_FACTOR: (f64, f64) = (0.5, 2.0);
 /// Density of air, kg/m³: from 4000 m in summer to sea level in deep frost.
 const DENSITY_KG_M3: (f64, f64) = (0.7, 1.5);
+/// I_w of KDS 41 12 00: from temporary buildings to very tall ones.
+const IMPORTANCE: (f64, f64) = (0.9, 1.1);
+/// Largest comfort limit, m/s²: three times and more what codes and guides allow; people hardly stand. Our choice.
+const COMFORT_MOST_M_S2: f64 = 1.0;
+/// Largest drift in the wind over the height: what KDS 41 17 00 allows in an earthquake.
+const DRIFT_MOST: f64 = 0.02;
 
 pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
     forces(reader, loads);
@@ -52,6 +59,27 @@ pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
     if outside(wind.air_density_kg_m3, DENSITY_KG_M3) {
         let message = WrongLoads::WindDensityIsKg(wind.air_density_kg_m3.to_string());
         reader.slip("wind.density", message, WrongLoads::AirHasKgM3);
+    }
+    lenient(reader, wind);
+}
+
+/// Importance and limits that make a verdict better than any code does.
+fn lenient(reader: &mut Reader, wind: &WindGiven) {
+    if let WindSpeed::Kds41 { importance, .. } = &wind.speed
+        && !(IMPORTANCE.0..=IMPORTANCE.1).contains(importance)
+    {
+        let message = WrongLoads::ImportanceUnlikely(short(*importance));
+        reader.slip("wind.importance_factor", message, WrongLoads::ImportanceOfCode);
+    }
+    if let Some(limit) = &wind.in_time.acceleration_limit
+        && limit.value > COMFORT_MOST_M_S2
+    {
+        let message = WrongLoads::ComfortUnlikely(limit.written.clone());
+        reader.slip(&limit.path, message, WrongLoads::ComfortOfCodes);
+    }
+    if let Some(drift) = wind.in_time.drift_limit.filter(|drift| *drift > DRIFT_MOST) {
+        let message = WrongLoads::DriftUnlikely(short(drift));
+        reader.slip("wind.drift_limit", message, WrongLoads::DriftOfWind);
     }
 }
 

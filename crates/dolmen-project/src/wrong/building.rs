@@ -14,6 +14,10 @@ messages! {
             en: "must be 1 (the lowest) to {floors}",
             ko: "1(최하층)~{floors}이어야 한다",
         },
+        EccentricityOfCodes => {
+            en: "it is a fraction of the side of a floor: codes have 0.05, which is \"5 %\"; 0 leaves accidental torsion out",
+            ko: "바닥 변의 길이에 대한 비이다. 기준값은 0.05, 즉 \"5 %\"이며 0이면 우발비틀림을 제외한다",
+        },
         BuildingNeedsFloors => { en: "a building needs floors", ko: "building에는 floors가 필요하다" },
         FloorsMassSidesHeight => {
             en: "floors = [ {{ mass = …, sides = [10, 8], height = …, walls = [ … ] }}, … ], lowest first",

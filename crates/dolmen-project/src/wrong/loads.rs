@@ -341,6 +341,42 @@ messages! {
             en: "give floors[{floor}].sides or outline",
             ko: "floors[{floor}].sides나 outline을 입력한다",
         },
+        ImportanceUnlikely(given: String) => {
+            en: "wind.importance_factor = {given} is none of KDS 41 12 00",
+            ko: "wind.importance_factor = {given}은(는) KDS 41 12 00에 없는 값이다",
+        },
+        ImportanceOfCode => {
+            en: "the code has 0.9 for the least important buildings to 1.05",
+            ko: "기준의 값은 중요도가 가장 낮은 건물의 0.9부터 1.05까지이다",
+        },
+        ComfortUnlikely(written: String) => {
+            en: "wind.acceleration_limit = {written} is no limit of comfort",
+            ko: "wind.acceleration_limit = {written}은(는) 사용성 한계로 볼 수 없는 값이다",
+        },
+        ComfortOfCodes => {
+            en: "codes and guides allow 0.05 to 0.3 m/s2; at 1 m/s2 people hardly stand",
+            ko: "기준과 지침의 값은 0.05~0.3 m/s2이며, 1 m/s2에서는 서 있기도 어렵다",
+        },
+        DriftUnlikely(written: String) => {
+            en: "wind.drift_limit = {written} is more than codes allow in an earthquake",
+            ko: "wind.drift_limit = {written}은(는) 지진 때 허용하는 값보다 크다",
+        },
+        DriftOfWind => {
+            en: "limits for the wind are 1/200 to 1/500",
+            ko: "바람에 대한 허용값은 1/200~1/500이다",
+        },
+        DriftOfHeight(given: String) => {
+            en: "wind.drift_limit is {given} of the height",
+            ko: "wind.drift_limit이 층고의 {given}이다",
+        },
+        DriftWithin { least: String, most: String } => {
+            en: "must be {least} to {most}",
+            ko: "{least}~{most}이어야 한다",
+        },
+        DriftPerCent => {
+            en: "did you mean per cent? \"0.25 %\" is 0.0025, which is 1/400",
+            ko: "백분율인가? \"0.25 %\"는 0.0025, 즉 1/400이다",
+        },
         AirHasKgM3 => { en: "air has 1.2 kg/m3", ko: "공기의 밀도는 1.2 kg/m3이다" },
     }
 }

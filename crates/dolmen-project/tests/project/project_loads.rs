@@ -279,3 +279,63 @@ fn refuses_loads_on_stones_that_are_written_as_those_on_links_and_the_other_way(
         assert!(text.contains(message), "{load}: {text}");
     }
 }
+
+const TOWER: &str = r#"schema = 1
+kind = "building"
+name = "tower"
+units = { mass = "t", stiffness = "kN/mm" }
+floors = [{ mass = 300, sides = [20, 12], height = 4.0, stiffness = { x = 120, y = 90, rotation = "9000 MN*m/rad", centre = [0, 0] } }]
+"#;
+const KDS: &str =
+    r#"speed = 30, means = "10 min", code = "KDS 41 12 00", terrain = "B", force_coefficient = 1.3"#;
+
+#[test]
+fn refuses_wind_factors_and_limits_more_generous_than_any_code() {
+    for (more, message, help) in [
+        (
+            "topography = 0.8",
+            "wind.topography = 0.8 is outside its range",
+            "must be 1 to 3",
+        ),
+        (
+            "importance_factor = 0.6",
+            "is none of KDS 41 12 00",
+            "the code has 0.9",
+        ),
+        (
+            "acceleration_limit = \"25 m/s2\"",
+            "wind.acceleration_limit = 25 m/s2 is no limit of comfort",
+            "0.05 to 0.3 m/s2",
+        ),
+        (
+            "drift_limit = 0.1",
+            "wind.drift_limit is 0.1 of the height",
+            "did you mean per cent?",
+        ),
+        (
+            "drift_limit = \"3 %\"",
+            "more than codes allow in an earthquake",
+            "1/200 to 1/500",
+        ),
+    ] {
+        let text = format!("{TOWER}wind = {{ {KDS}, {more} }}\n");
+        let said = parse_project(&text, "tower.toml").unwrap_err().to_string();
+        assert!(said.contains(message) && said.contains(help), "{more}: {said}");
+    }
+    // who means it says so
+    let text = format!("allow = [\"wind.drift_limit\"]\n{TOWER}wind = {{ {KDS}, drift_limit = \"3 %\" }}\n");
+    assert!(parse_project(&text, "tower.toml").is_ok());
+}
+
+#[test]
+fn exact_drift_in_the_wind_is_read_as_a_ratio_per_cent_or_fraction() {
+    for given in ["0.0025", "\"0.25 %\"", "\"1/400\""] {
+        let text = format!("{TOWER}wind = {{ {KDS}, drift_limit = {given} }}\n");
+        let project = parse_project(&text, "tower.toml").unwrap();
+        let WindPart::Given(wind) = &project.loads.wind else {
+            panic!("no wind");
+        };
+        let drift = wind.in_time.drift_limit.unwrap();
+        assert!((drift - 0.0025).abs() < 1e-15, "{given}: {drift}");
+    }
+}

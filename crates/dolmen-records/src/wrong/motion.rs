@@ -114,8 +114,8 @@ sentences! {
             ko: "{second} 성분이 {first} 성분보다 {later_s} s 뒤에 시작한다. 먼저 같은 시각에 맞추어 자른다",
         },
         Orientation { why } => {
-            en: "{why}: give files as x=FILE, y=FILE instead",
-            ko: "{why}. 대신 파일을 x=파일, y=파일로 지정한다",
+            en: "{why}: say which file or column is which component, x=… and y=… horizontal, z=… vertical",
+            ko: "{why}. x=…와 y=…는 수평, z=…는 연직 성분이 되도록 파일이나 열을 지정한다",
         },
         SameRecord { first, second } => {
             en: "{first} and {second} have the same record: give the record of each direction; one record along a line between them is given once, as x, and rotated with --turn or `turn` in [motion.NAME]",

@@ -9,8 +9,9 @@ use dolmen::damper::DamperKind;
 use dolmen::stability::Verdict;
 use dolmen::structure::building::{StoreyFall, StoreyMotion};
 use dolmen_project::strokes_of;
-use dolmen_words::{Quantity, Sentence, Unit, messages};
-use dolmen_work::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::building::{AccidentalTorsion, BuildingAnswer, BuildingSpectral, StandingBuilding};
 use dolmen_work::state::{Check, VariantAnswer};
 
 /// Share of the energy in rotation, in a sway mode, from which a finding reports torsion. Our choice.
@@ -46,6 +47,26 @@ messages! {
         DriftDamped { ratio: Quantity, floor: Sentence } => {
             en: "By the spectrum of the site the largest elastic drift at an edge, with the dampers, is {ratio} of the storey height, below floor {floor}.",
             ko: "부지 스펙트럼에 의한 감쇠기를 포함한 최대 탄성 층간변위(단부)는 {floor} 바닥 아래에서 층고의 {ratio}이다.",
+        },
+        Torsion { code: String, fraction: Quantity, ratio: Quantity, floor: Sentence } => {
+            en: "With the accidental torsion of {code}, each centre of mass {fraction} of the side of its floor off its place, it is {ratio}, below floor {floor}.",
+            ko: "{code}의 우발비틀림(각 층 질량중심을 바닥 변 길이의 {fraction}만큼 이동)을 고려하면 {floor} 바닥 아래에서 {ratio}이다.",
+        },
+        TorsionOfFile { fraction: Quantity, ratio: Quantity, floor: Sentence } => {
+            en: "With accidental torsion, each centre of mass {fraction} of the side of its floor off its place, it is {ratio}, below floor {floor}.",
+            ko: "우발비틀림(각 층 질량중심을 바닥 변 길이의 {fraction}만큼 이동)을 고려하면 {floor} 바닥 아래에서 {ratio}이다.",
+        },
+        TorsionLeftOut { code: String } => {
+            en: "The accidental torsion that {code} requires, 5 % of the side of each floor, is left out: the file has accidental_eccentricity = 0.",
+            ko: "{code}이(가) 요구하는 우발비틀림(바닥 변 길이의 5 %)을 제외하였다. 파일에 accidental_eccentricity = 0으로 입력되어 있다.",
+        },
+        TorsionNoOutline => {
+            en: "Accidental torsion is not included: it depends on the sides of the floors, and a floor has neither sides nor outline. Give them; without them a sufficient capacity is not decided.",
+            ko: "우발비틀림을 고려하지 못했다. 바닥 변의 길이가 필요한데 sides와 outline이 모두 없는 층이 있다. 입력하기 전에는 기준을 만족해도 판정하지 않는다.",
+        },
+        TorsionRefused { why: Both } => {
+            en: "Accidental torsion is not included, so that a sufficient capacity is not decided: {why}",
+            ko: "우발비틀림을 고려하지 못해 기준을 만족해도 판정하지 않는다: {why}",
         },
         MoreWithDampers { list: Vec<Sentence> } => {
             en: "With the dampers some of the response to the spectrum is more than without, by these factors: {list}.",
@@ -90,6 +111,7 @@ pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
         all.extend(twisting(standing));
         if let Some(spectral) = &standing.spectral {
             all.push(drift(answer, standing, spectral));
+            all.extend(torsion(answer, standing));
             all.extend(room_not_given(answer, standing, spectral));
         }
         all.extend(hardly_moves(standing));
@@ -158,6 +180,45 @@ fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, spectral: &Buildi
     Finding::key(Tone::Plain, said)
 }
 
+/// Accidental torsion: its drift, or why it is not included.
+fn torsion(answer: &BuildingAnswer, standing: &StandingBuilding) -> Option<Finding> {
+    let (tone, said) = match &standing.accidental {
+        AccidentalTorsion::Included(of) => {
+            let drifts = standing
+                .judged_drift_m()?
+                .into_iter()
+                .map(Some)
+                .collect::<Vec<_>>();
+            let (storey, ratio) = worst(answer, &drifts)?;
+            let fraction = Quantity::new(of.fraction, Unit::percent(), Digits::Trimmed(2));
+            let ratio = Quantity::percent(ratio, 3);
+            let floor = floor_words(&answer.floors[storey]);
+            let said = match of.code {
+                Some(code) => Found::Torsion {
+                    code: code.name().to_owned(),
+                    fraction,
+                    ratio,
+                    floor,
+                },
+                None => Found::TorsionOfFile {
+                    fraction,
+                    ratio,
+                    floor,
+                },
+            };
+            (Tone::Plain, said)
+        }
+        AccidentalTorsion::LeftOut { code } => {
+            let code = (*code)?.name().to_owned();
+            (Tone::Warn, Found::TorsionLeftOut { code })
+        }
+        AccidentalTorsion::NoOutline { .. } => (Tone::Unknown, Found::TorsionNoOutline),
+        AccidentalTorsion::Refused { why, .. } => (Tone::Unknown, Found::TorsionRefused { why: why.clone() }),
+        AccidentalTorsion::NotAsked => return None,
+    };
+    Some(Finding::key(tone, said))
+}
+
 /// The storey with the largest drift at an edge, and that drift over its height.
 fn worst(answer: &BuildingAnswer, drifts: &[Option<[f64; 2]>]) -> Option<(usize, f64)> {
     let storeys = answer.elastic.storeys().iter().zip(drifts).enumerate();
@@ -173,10 +234,8 @@ fn room_not_given(
     spectral: &BuildingSpectral,
 ) -> Option<Finding> {
     let strokes = strokes_of(&standing.dampers);
-    let each = strokes
-        .iter()
-        .zip(&standing.damped.as_ref()?.strokes_m)
-        .enumerate();
+    let judged_m = standing.judged_strokes_m();
+    let each = strokes.iter().zip(&judged_m).enumerate();
     let is_viscous = |k: usize| {
         let damper = standing.dampers.get(k);
         damper.is_some_and(|damper| matches!(damper.kind, DamperKind::Viscous { .. }))

@@ -6,7 +6,7 @@ use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen_project::strokes_of;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{
-    BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
+    AccidentalTorsion, BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
 };
 
 messages! {
@@ -58,6 +58,20 @@ messages! {
         },
         Strokes => { en: "Strokes of the dampers.", ko: "감쇠기의 행정." },
         StrokesMeaning => { en: "Each way from rest, beside the room there is.", ko: "정지 위치에서 한쪽 방향의 값이며 여유 공간과 비교하였다." },
+        Torsion => { en: "Largest drift at an edge with accidental torsion.", ko: "우발비틀림을 고려한 최대 단부 층간변위." },
+        TorsionMeaning => {
+            en: "Every centre of mass is displaced by this share of the side of its floor: along y under shaking along x, along x under shaking along y; both directions of shaking by the root of the sum of squares. The worst row counts.",
+            ko: "모든 질량중심을 바닥 변 길이에 대한 이 비율만큼 이동하였다. x 방향 지진에는 y 방향으로, y 방향 지진에는 x 방향으로 이동하며, 두 방향 지진은 제곱합의 제곱근으로 조합하였다. 가장 불리한 행이 판정에 쓰인다.",
+        },
+        DisplacedX => { en: "moved along x", ko: "x 방향 이동" },
+        DisplacedY => { en: "along y", ko: "y 방향 이동" },
+        DriftX => { en: "drift x / height", ko: "층간변위 x / 층고" },
+        DriftY => { en: "drift y / height", ko: "층간변위 y / 층고" },
+        TorsionNotAsked => {
+            en: "Accidental torsion is not included, because no code that requires it decides here. `accidental_eccentricity = 0.05` includes it.",
+            ko: "이를 요구하는 기준으로 판정하지 않으므로 우발비틀림을 고려하지 않았다. `accidental_eccentricity = 0.05`로 입력하면 고려한다.",
+        },
+        StrokeWithTorsion => { en: "with accidental torsion", ko: "우발비틀림 고려" },
         Damper => { en: "Damper", ko: "감쇠기" },
         Stroke => { en: "stroke", ko: "행정" },
         Room => { en: "room", ko: "여유 공간" },
@@ -98,6 +112,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &BuildingAnswer, stan
     if let Some(damped) = &standing.damped {
         with_dampers(document, answer, (standing, damped));
     }
+    torsion(document, answer, standing);
     if let Some(said) = refused {
         document.put(Block::Warning(said.into()));
     }
@@ -164,6 +179,55 @@ fn with_dampers(
     if let Some(said) = more_with_dampers(standing) {
         document.note(said);
     }
+}
+
+/// The largest drift with the centres of mass as they are and displaced.
+fn torsion(document: &mut Document<'_>, answer: &BuildingAnswer, standing: &StandingBuilding) {
+    let of = match &standing.accidental {
+        AccidentalTorsion::Included(of) => of,
+        AccidentalTorsion::NotAsked if standing.spectral.is_some() => {
+            return document.note(Spectrum::TorsionNotAsked);
+        }
+        // findings
+        AccidentalTorsion::NotAsked
+        | AccidentalTorsion::LeftOut { .. }
+        | AccidentalTorsion::NoOutline { .. }
+        | AccidentalTorsion::Refused { .. } => return,
+    };
+    let percent = |value: f64| Cell::number(Quantity::percent(value, 3));
+    let row = |signs: [f64; 2], drifts: &mut dyn Iterator<Item = [f64; 2]>| {
+        let storeys = drifts.zip(answer.elastic.storeys());
+        let largest = storeys.fold([0.0_f64; 2], |[x, y], (drift, storey)| {
+            let [own_x, own_y] = drift.map(|m| m / storey.height_m);
+            [x.max(own_x), y.max(own_y)]
+        });
+        let share = |value: f64| Cell::number(Quantity::new(value, Unit::percent(), Digits::Trimmed(2)));
+        let displaced = signs.map(|sign| share(sign * of.fraction));
+        displaced
+            .into_iter()
+            .chain(largest.map(percent))
+            .collect::<Vec<_>>()
+    };
+    let edges = match (&standing.damped, &standing.spectral) {
+        (Some(damped), _) => damped.edge_drift_m.as_slice(),
+        (None, Some(alone)) => alone.edge_drift_m.as_slice(),
+        (None, None) => return,
+    };
+    let mut rows = vec![row([0.0; 2], &mut edges.iter().copied().flatten())];
+    let each = of.cases.iter();
+    rows.extend(each.map(|case| row(case.signs, &mut case.edge_drift_m.iter().copied())));
+    document.put(Block::Table(Table {
+        caption: vec![Spectrum::Torsion.into(), Spectrum::TorsionMeaning.into()],
+        columns: [
+            Spectrum::DisplacedX,
+            Spectrum::DisplacedY,
+            Spectrum::DriftX,
+            Spectrum::DriftY,
+        ]
+        .map(|head| Column::numbers(head, Unit::percent()))
+        .into(),
+        rows,
+    }));
 }
 
 fn most([x, y]: [f64; 2]) -> f64 {
@@ -248,25 +312,33 @@ fn moved_tables(document: &mut Document<'_>, answer: &BuildingAnswer, moved: Spe
 
 fn strokes_table(standing: &StandingBuilding, damped: &DampedSpectral) -> Table {
     let strokes = strokes_of(&standing.dampers);
-    let row = |(stroke, stroke_m): (&dolmen_project::Stroke, &f64)| {
+    let judged_m = standing.judged_strokes_m();
+    let with_torsion = standing.accidental.included().is_some();
+    let row = |((stroke, stroke_m), judged_m): ((&dolmen_project::Stroke, &f64), &f64)| {
         let millimetre = |value: f64| significant(value, millimetres(), 4);
-        let beyond = stroke.room_m.is_some_and(|room_m| *stroke_m > room_m);
-        vec![
-            Cell::words(stroke_words(&stroke.name)),
-            match beyond {
-                true => Cell::Bad(millimetre(*stroke_m)),
-                false => Cell::number(millimetre(*stroke_m)),
-            },
-            Cell::Number(stroke.room_m.map(millimetre)),
-        ]
+        let compared = |stroke_m: f64| match stroke.room_m.is_some_and(|room_m| stroke_m > room_m) {
+            true => Cell::Bad(millimetre(stroke_m)),
+            false => Cell::number(millimetre(stroke_m)),
+        };
+        let mut row = vec![Cell::words(stroke_words(&stroke.name)), compared(*stroke_m)];
+        row.extend(with_torsion.then(|| compared(*judged_m)));
+        row.push(Cell::Number(stroke.room_m.map(millimetre)));
+        row
     };
+    let mut columns = vec![
+        Column::words(Spectrum::Damper),
+        Column::numbers(Spectrum::Stroke, millimetres()),
+    ];
+    columns.extend(with_torsion.then(|| Column::numbers(Spectrum::StrokeWithTorsion, millimetres())));
+    columns.push(Column::numbers(Spectrum::Room, millimetres()));
     Table {
         caption: vec![Spectrum::Strokes.into(), Spectrum::StrokesMeaning.into()],
-        columns: vec![
-            Column::words(Spectrum::Damper),
-            Column::numbers(Spectrum::Stroke, millimetres()),
-            Column::numbers(Spectrum::Room, millimetres()),
-        ],
-        rows: strokes.iter().zip(&damped.strokes_m).map(row).collect(),
+        columns,
+        rows: strokes
+            .iter()
+            .zip(&damped.strokes_m)
+            .zip(&judged_m)
+            .map(row)
+            .collect(),
     }
 }

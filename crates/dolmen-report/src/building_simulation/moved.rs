@@ -5,6 +5,7 @@ use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{seconds, version_name};
 use crate::text::GROWN;
+use dolmen::assess::demand::TorsionCode;
 use dolmen::signal::Component;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{Against, BuildingSimulation};
@@ -44,6 +45,10 @@ messages! {
         NoWind => {
             en: "the wind of the file does not blow during the motion; `dolmen check` says what it does.",
             ko: "지반운동 작용 중에는 입력한 바람을 고려하지 않는다. 풍응답은 `dolmen check`에 나온다.",
+        },
+        NoAccidentalTorsion { code: String } => {
+            en: "the centres of mass are those of the file: the accidental torsion that {code} requires is not in this run, but `dolmen check` includes it for the spectrum of a site.",
+            ko: "질량중심은 입력한 위치이며, {code}이(가) 요구하는 우발비틀림은 이 해석에 없다. 부지 스펙트럼에 대해서는 `dolmen check`가 고려한다.",
         },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Top { list: Vec<Sentence> } => {
@@ -112,6 +117,10 @@ pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
     }
     if simulation.motion.motion.has(Component::Z) {
         all.push((Tone::Warn, Moved::VerticalLeftOut.into()));
+    }
+    if let Some(code) = simulation.drift_limit.as_ref().and_then(TorsionCode::of_limit) {
+        let code = code.name().to_owned();
+        all.push((Tone::Plain, Moved::NoAccidentalTorsion { code }.into()));
     }
     if simulation.without_wind {
         all.push((Tone::Plain, Moved::NoWind.into()));

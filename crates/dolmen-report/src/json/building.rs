@@ -5,13 +5,14 @@ use super::simulation::motion_json;
 use super::with::with;
 use crate::as_json;
 use crate::limits::parts_json;
+use dolmen::assess::demand::TorsionCode;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::{BuildingPeaks, HistoryMethod};
 use dolmen_project::BuiltDamper;
 use dolmen_words::Language;
 use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::{
-    BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
+    AccidentalTorsion, BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
 };
 use serde_json::Value;
 
@@ -54,6 +55,7 @@ fn standing(standing: &StandingBuilding) -> Value {
         "wind_refused": standing.wind_refused.as_ref().map(|why| why.text(Language::English)),
         "spectral_with_dampers": standing.damped.as_ref().map(damped),
         "spectral_with_dampers_refused": standing.damped_refused,
+        "accidental_torsion": accidental_torsion(&standing.accidental),
         "against_without": standing.against_without().iter().map(|of| as_json!({
             "what": of.what[0], "ratio": of.ratio,
         })).collect::<Vec<_>>(),
@@ -61,6 +63,33 @@ fn standing(standing: &StandingBuilding) -> Value {
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),
     })
+}
+
+fn accidental_torsion(of: &AccidentalTorsion) -> Value {
+    let state = |word: &str, code: Option<TorsionCode>| {
+        as_json!({
+            "state": word, "code": code.map(TorsionCode::name),
+        })
+    };
+    match of {
+        AccidentalTorsion::NotAsked => state("not_asked", None),
+        AccidentalTorsion::LeftOut { code } => state("left_out", *code),
+        AccidentalTorsion::NoOutline { code } => state("no_outline", *code),
+        AccidentalTorsion::Refused { code, why } => with(
+            &state("refused", *code),
+            as_json!({ "why": why.text(Language::English) }),
+        ),
+        AccidentalTorsion::Included(of) => with(
+            &state("included", of.code),
+            as_json!({
+                "eccentricity": of.fraction,
+                "centre_displaced_m": of.by_m,
+                "cases": of.cases.iter().map(|case| as_json!({
+                    "signs": case.signs, "edge_drift_m": case.edge_drift_m, "strokes_m": case.strokes_m,
+                })).collect::<Vec<_>>(),
+            }),
+        ),
+    }
 }
 
 pub(super) fn damper(damper: &BuiltDamper) -> Value {

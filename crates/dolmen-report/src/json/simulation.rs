@@ -23,6 +23,11 @@ pub fn stack_runs_json(runs: &StackRuns) -> Value {
         LeftOut::NoSolution { at_s } => as_json!({ "kind": "no_solution", "at_s": at_s }),
     });
     let mut value = simulation_json(&runs.deciding);
+    if let (falls @ 1.., Some(of)) = (runs.falls_in_repeats(), &runs.repeats) {
+        value["outcome"] = as_json!({
+            "kind": "fell", "runs": falls, "of_runs": of.runs.len(), "as_given": outcome(&runs.deciding),
+        });
+    }
     value["other_law"] = runs.other.as_ref().map(simulation_json).into();
     value["law_left_out"] = left_out.into();
     value["repeats"] = runs.repeats.as_ref().map(repeats).into();

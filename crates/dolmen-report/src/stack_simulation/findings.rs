@@ -5,7 +5,6 @@ use super::run::{Run, made_too_much};
 use super::{crushing, laws, repeats, sliding};
 use crate::document::{Finding, Tone};
 use crate::stack::{lean, widest};
-use dolmen::assess::DamageState;
 use dolmen::blocks::{ContactLaw, Outcome, StackHistory};
 use dolmen::signal::Component;
 use dolmen::structure::stack::Body;
@@ -35,6 +34,7 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     let variant = simulation.variant.clone();
     let variant = variant.map(|variant| Finding::key(Tone::Plain, Ending::OfVariant { variant }));
     let mut all: Vec<Finding> = variant.into_iter().collect();
+    all.extend(repeats::falls(runs));
     all.push(Finding::key(tone(simulation), said));
     all.extend(laws::finding(runs));
     all.extend(sliding::finding(runs));
@@ -80,8 +80,7 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
         all.push(Finding::key(Tone::Warn, Run::SoilLeftOut));
     }
     if runs.repeats.is_none() && runs.each().any(|run| is_sensitive(&run.history.outcome)) {
-        let may_be_worse = matches!(simulation.damage.state, DamageState::Begun | DamageState::Offset);
-        all.push(match may_be_worse && simulation.is_whole() {
+        all.push(match simulation.may_be_worse() && simulation.is_whole() {
             true => Finding::key(Tone::Warn, Run::OneCaseOfMany),
             false => Finding::key(Tone::Plain, Run::OneCase),
         });

@@ -2,8 +2,9 @@
 
 use crate::document::{Finding, Tone};
 use crate::simulated::milli;
+use dolmen::assess::DamageState;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::stack::{Repeat, Repeats};
+use dolmen_work::stack::{Repeat, Repeats, StackRuns};
 
 messages! {
     /// Runs with small differences.
@@ -40,9 +41,26 @@ messages! {
             en: "{median} ({least} to {most})",
             ko: "{median}({least}~{most})",
         },
+        Falls { falls: usize, runs: usize } => {
+            en: "In {falls} of {runs} runs a stone fell (DS4), so that the verdict is that of a fall; the run as given is the next line.",
+            ko: "해석 {runs}회 중 {falls}회에서 낙하가 발생하여(DS4) 낙하로 판정한다. 입력값 그대로의 해석은 다음 줄과 같다.",
+        },
+        Fallen { runs: usize } => { en: "DS4 (a stone fell) in {runs}", ko: "DS4(낙하) {runs}회" },
         State { state: usize, runs: usize } => { en: "DS{state} in {runs}", ko: "DS{state} {runs}회" },
         And { first: Sentence, next: Sentence } => { en: "{first}, {next}", ko: "{first}, {next}" },
     }
+}
+
+/// The runs in which a stone fell although none fell in the run as given.
+pub(super) fn falls(runs: &StackRuns) -> Option<Finding> {
+    let (falls, of) = (runs.falls_in_repeats(), runs.repeats.as_ref()?);
+    (falls > 0).then(|| {
+        let said = Repeated::Falls {
+            falls,
+            runs: of.runs.len(),
+        };
+        Finding::key(Tone::Bad, said)
+    })
 }
 
 /// Their finding.
@@ -83,8 +101,13 @@ fn spread(repeats: &Repeats) -> Option<Repeated> {
         )
     };
     let each = repeats.states().into_iter().map(|(state, runs)| {
-        let state = usize::from(state.number());
-        Sentence::from(Repeated::State { state, runs })
+        Sentence::from(match state {
+            DamageState::Fallen => Repeated::Fallen { runs },
+            DamageState::None | DamageState::Begun | DamageState::Offset | DamageState::Severe => {
+                let state = usize::from(state.number());
+                Repeated::State { state, runs }
+            }
+        })
     });
     let states = each.reduce(|first, next| Repeated::And { first, next }.into())?;
     Some(Repeated::Spread {

@@ -1,5 +1,6 @@
 //! The check of a building.
 
+use super::accidental::AccidentalTorsion;
 use super::simulation::{Against, BeyondRoom};
 use super::wind_answer::BuildingWind;
 use dolmen::damper::DampedMode;
@@ -48,6 +49,8 @@ pub struct StandingBuilding {
     pub damped: Option<DampedSpectral>,
     /// Why there is no response although there are dampers and a site.
     pub damped_refused: Option<String>,
+    /// Accidental torsion in the response that is compared with the limits.
+    pub accidental: AccidentalTorsion,
     /// Response to the wind of the file; `None` without a wind.
     pub wind: Option<Box<BuildingWind>>,
     /// Why there is no response although there is a wind.
@@ -79,11 +82,7 @@ pub struct DampedSpectral {
 impl StandingBuilding {
     /// Dampers whose stroke under the spectrum exceeds their room.
     pub fn beyond_room(&self) -> Vec<BeyondRoom> {
-        let strokes = self
-            .damped
-            .iter()
-            .flat_map(|damped| damped.strokes_m.iter().copied());
-        BeyondRoom::of(&self.dampers, strokes)
+        BeyondRoom::of(&self.dampers, self.judged_strokes_m().into_iter())
     }
 
     /// Ratios of the response with dampers to that without, under the spectrum of the site, each along x and y: base shear, top, largest drift

@@ -1,11 +1,14 @@
 //! The check of a building: storeys, modes, dampers, the spectrum of its site.
 
+use super::accidental::{AccidentalTorsion, accidental_torsion};
 use super::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::error::{Within as _, WorkError};
 use crate::told::told;
 use crate::wrong::Place;
 use dolmen::assess::demand::SiteDemand;
-use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_modes, damped_spectral_analysis};
+use dolmen::damper::{
+    AttachedDamper, DampedSpectralAnalysis, DisplacedBuilding, damped_modes, damped_spectral_analysis,
+};
 use dolmen::dynamics::{
     DirectionalCombination, ModalCombination, SpectralAnalysis, VibratingBuilding, spectral_analysis,
 };
@@ -51,6 +54,7 @@ pub(super) fn standing(
     let mut spectral_refused = None;
     let mut spectral = None;
     let (mut damped, mut damped_refused) = (None, None);
+    let mut accidental = AccidentalTorsion::NotAsked;
     // the section on the demand states why a site is refused
     if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
         let read = spectrum_of(&site);
@@ -66,6 +70,15 @@ pub(super) fn standing(
                 Err(why) => damped_refused = Some(told(&why)),
             }
         }
+        if damped.is_some() || (dampers.is_empty() && spectral.is_some()) {
+            let of = DisplacedBuilding {
+                vibrating,
+                damping: &part.damping(pick),
+                dampers: &attached,
+            };
+            let asked = (&site, project.drift_limit.as_ref());
+            accidental = accidental_torsion(&of, asked, part.accidental_eccentricity);
+        }
     }
     Ok(StandingBuilding {
         building: vibrating.building().clone(),
@@ -77,6 +90,7 @@ pub(super) fn standing(
         spectral_refused,
         damped,
         damped_refused,
+        accidental,
         wind: None,
         wind_refused: None,
     })
@@ -117,7 +131,7 @@ pub(super) struct LargestOfRow {
 }
 
 /// Along x and y at the period and damping of a mode.
-fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkError> {
+pub(super) fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkError> {
     |period_s, damping_ratio| {
         let read = site.spectrum.acceleration_m_s2(period_s, damping_ratio);
         let of = || Place::EveryModeCounts {

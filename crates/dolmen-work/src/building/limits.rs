@@ -7,31 +7,27 @@ use dolmen::dynamics::BuildingPeaks;
 use dolmen::structure::building::Storey;
 use dolmen_project::{BuiltDamper, strokes_of};
 
-/// Under the spectrum of the site, with the dampers if there are any; empty if that is not computed.
+/// Under the spectrum of the site, with the dampers if there are any and with accidental torsion; empty if that is not computed.
 pub(crate) fn by_spectrum(answer: &BuildingAnswer, limit: Option<&DriftLimit>) -> Vec<PartLimit> {
     let Some(standing) = &answer.stands else {
         return Vec::new();
     };
-    let (edges, centres) = match (&standing.damped, &standing.spectral) {
-        (Some(damped), _) => (&damped.edge_drift_m, &damped.centre_drift_m),
-        (None, Some(alone)) if standing.dampers.is_empty() => (&alone.edge_drift_m, &alone.centre_drift_m),
-        _ => return Vec::new(),
+    let Some(drifts_m) = standing.judged_drift_m() else {
+        return Vec::new();
     };
     let mut all = Vec::new();
     for (i, storey) in standing.building.storeys().iter().enumerate() {
         for (axis, direction) in ["x", "y"].into_iter().enumerate() {
-            let drift_m = edges[i].unwrap_or(centres[i])[axis];
             let part = Part::BelowFloor(answer.floors[i].clone());
             all.push(PartLimit::of_drift(
                 part,
                 direction,
-                drift_m / storey.height_m,
+                drifts_m[i][axis] / storey.height_m,
                 limit,
             ));
         }
     }
-    let strokes = standing.damped.iter().flat_map(|damped| &damped.strokes_m);
-    all.extend(rooms(&standing.dampers, strokes.copied()));
+    all.extend(rooms(&standing.dampers, standing.judged_strokes_m().into_iter()));
     all
 }
 

@@ -100,18 +100,7 @@ fn unknown(moving: &StandingBuilding, of: &CombinationPart) -> Option<UnknownMot
     if of.wind > 0.0 && moving.wind.is_none() {
         return Some(UnknownMotion::Wind);
     }
-    (of.earthquake > 0.0 && shaken(moving).is_none()).then_some(UnknownMotion::Earthquake)
-}
-
-/// Drifts under the spectrum of the site at the edges and at the centres, with the dampers if there are any.
-fn shaken(moving: &StandingBuilding) -> Option<Vec<[f64; 2]>> {
-    let (edges, centres) = match (&moving.damped, &moving.spectral) {
-        (Some(damped), _) => (&damped.edge_drift_m, &damped.centre_drift_m),
-        (None, Some(alone)) if moving.dampers.is_empty() => (&alone.edge_drift_m, &alone.centre_drift_m),
-        _ => return None,
-    };
-    let pairs = edges.iter().zip(centres);
-    Some(pairs.map(|(edge, centre)| edge.unwrap_or(*centre)).collect())
+    (of.earthquake > 0.0 && moving.judged_drift_m().is_none()).then_some(UnknownMotion::Earthquake)
 }
 
 fn storeys(
@@ -127,7 +116,7 @@ fn storeys(
     let q = building.under_loads(&forces)?;
     let size = |row: &[f64]| row.iter().zip(&q).map(|(a, b)| a * b).sum::<f64>().abs();
     let by_loads = moved(part, building, &size, &mut *pick)?;
-    let shaken = shaken(moving);
+    let shaken = moving.judged_drift_m();
     let winds = moving.wind.as_ref().map(|wind| wind.motions());
     let storey = |(i, floor): (usize, &String)| {
         let edge = by_loads.edge_drift_m[i];

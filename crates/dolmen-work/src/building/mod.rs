@@ -1,5 +1,6 @@
 //! Buildings: rigid floors on walls that sway and twist, and their dampers.
 
+mod accidental;
 mod answer;
 pub(crate) mod check;
 pub(crate) mod limits;
@@ -22,6 +23,7 @@ mod wind_history_answer;
 mod wind_rows;
 mod wind_seen;
 
+pub use accidental::{AccidentalTorsion, DisplacedCentres};
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
 };

@@ -71,6 +71,8 @@ pub enum DecidedBy {
     HeldByLoads,
     /// No result: a measured tilt that the model lacks takes a part of the allowable drift.
     LeansFurther,
+    /// No result: the accidental torsion that is asked for could not be included.
+    WithoutTorsion,
     /// No result: it does not stand without shaking.
     DoesNotStand,
     /// No result: the run was stopped, or ended without a verdict.
@@ -137,6 +139,11 @@ impl EarthquakeFinding {
     /// The same for a stack whose joints are pressed together by loads without mass.
     pub(super) fn held_by_loads(self) -> Self {
         self.not_known_to_be_enough(DecidedBy::HeldByLoads)
+    }
+
+    /// The same for a building without the accidental torsion that is asked for, which only adds to the demand.
+    pub(super) fn without_torsion(self) -> Self {
+        self.not_known_to_be_enough(DecidedBy::WithoutTorsion)
     }
 
     /// The same for storeys that start plumb although they lean, with the share of the allowable drift that their tilt leaves: drift and tilt
@@ -231,6 +238,7 @@ impl DecidedBy {
             DecidedBy::SupportsMoved => "supports_moved",
             DecidedBy::HeldByLoads => "held_by_loads",
             DecidedBy::LeansFurther => "leans_further",
+            DecidedBy::WithoutTorsion => "without_torsion",
             DecidedBy::Room => "room",
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::BedUnknown => "bed_unknown",
@@ -265,7 +273,24 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
     if found.is_empty() || !compared.parts.is_empty() {
         found.extend(of_parts(&compared.parts, None));
     }
-    found
+    match lacks_torsion(&state.check) {
+        true => found
+            .into_iter()
+            .map(EarthquakeFinding::without_torsion)
+            .collect(),
+        false => found,
+    }
+}
+
+/// Whether accidental torsion is asked for and missing in the response of a building.
+fn lacks_torsion(check: &Check) -> bool {
+    match check {
+        Check::Building(answer) => {
+            let standing = answer.stands.as_ref();
+            standing.is_some_and(|standing| standing.accidental.is_missing())
+        }
+        Check::Chain(_) | Check::Frame(_) | Check::Stack(_) => false,
+    }
 }
 
 /// A direction without a comparison: not decided, whatever the others are.

@@ -376,7 +376,9 @@ fn from_files(
     let is_new = |at: &usize| named[..*at].iter().all(|other| other.name != named[*at].name);
     let new: Vec<usize> = (0..named.len()).filter(is_new).collect();
     let files: Vec<&str> = new.iter().map(|at| named[*at].name.as_str()).collect();
-    let stems: Vec<String> = files.iter().map(|file| stem(file).unwrap_or_default()).collect();
+    let mut stems: Vec<String> = files.iter().map(|file| stem(file).unwrap_or_default()).collect();
+    // K-NET names the components of one record by their endings
+    stems.dedup();
     let name = stems.join(" + ");
     let motion = match wanted.x_azimuth_deg {
         None => {

@@ -22,8 +22,7 @@ const REPEAT_UPDATES_MOST: f64 = 1e9;
 /// Number of runs of the decisive law, all except the first with differences too small to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Repeating {
-    /// Eight if one run shows damage that is not the worst, or none although the ground nearly reaches the threshold of motion: small differences
-    /// may make it worse.
+    /// Eight if small differences may make one run worse: if no stone fell and the ground nearly reaches the threshold of motion.
     AsNeeded {
         /// Largest number of updates of contact points.
         updates_most: f64,
@@ -47,11 +46,7 @@ impl Repeating {
         match self {
             Repeating::Times(times) => times,
             Repeating::AsNeeded { updates_most } => {
-                let is_open = match run.damage.state {
-                    DamageState::None => run.nearly_moves(),
-                    DamageState::Begun | DamageState::Offset => true,
-                    DamageState::Severe | DamageState::Fallen => false,
-                };
+                let is_open = run.may_be_worse();
                 let updates = run.history.contact_points as f64 * run.history.steps as f64;
                 let more = (AS_NEEDED - 1) as f64;
                 match is_open && run.is_whole() && more * updates <= updates_most {
@@ -102,6 +97,17 @@ pub struct Spread {
     pub median: f64,
     /// The largest.
     pub most: f64,
+}
+
+impl StackSimulation {
+    /// Whether none of its stones fell and the ground nearly moves one or does, so that immeasurably small differences may make it worse.
+    pub fn may_be_worse(&self) -> bool {
+        match self.damage.state {
+            DamageState::None => self.nearly_moves(),
+            DamageState::Begun | DamageState::Offset | DamageState::Severe => true,
+            DamageState::Fallen => false,
+        }
+    }
 }
 
 impl Repeats {

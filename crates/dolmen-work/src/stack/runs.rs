@@ -57,6 +57,13 @@ impl StackRuns {
         std::iter::once(&self.deciding).chain(&self.other)
     }
 
+    /// The number of repeats in which a stone fell, if none fell in the run itself; 0 otherwise.
+    pub fn falls_in_repeats(&self) -> usize {
+        let counted = self.repeats.iter().filter(|_| !self.deciding.falls());
+        let runs = counted.flat_map(|of| &of.runs);
+        runs.filter(|run| run.state == DamageState::Fallen).count()
+    }
+
     /// The states of damage of the deciding and the other law, if they differ.
     pub fn differing_states(&self) -> Option<[DamageState; 2]> {
         let states = [

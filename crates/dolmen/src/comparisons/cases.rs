@@ -1,11 +1,11 @@
 //! All cases, source by source.
 
 use super::{
-    Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, crushing,
-    dampers, domes, driven_modes, dry_friction, earthquakes, ferris_tin_loi_2001, fragility, free_columns,
-    free_decay, free_walls, gusts, hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms,
-    owen_prieur_2017, park_min_2010, pushed_frames, pyoma2, restitution, rigid_blocks, second_methods,
-    setups, sliced_scans, survey_change, tenons, watch, wind,
+    Case, ValidationError, accidental_torsion, aftershocks, arches, building_motion, choi_2021, chopra_2017,
+    columns, crushing, dampers, domes, driven_modes, dry_friction, earthquakes, ferris_tin_loi_2001,
+    fragility, free_columns, free_decay, free_walls, gusts, hwang_min_hong, joined, kim_koo_hong_2018,
+    local_mechanisms, owen_prieur_2017, park_min_2010, pushed_frames, pyoma2, restitution, rigid_blocks,
+    second_methods, setups, sliced_scans, survey_change, tenons, watch, wind,
 };
 use rayon::prelude::*;
 
@@ -46,6 +46,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         tenons::cases,
         hwang_min_hong::cases,
         chopra_2017::cases,
+        accidental_torsion::cases,
         building_motion::cases,
         dampers::cases,
         fragility::cases,

@@ -1,6 +1,7 @@
 //! All external numbers that this crate must reproduce: published and computed values, with the correct value if
 //! the published one is wrong.
 
+mod accidental_torsion;
 mod aftershocks;
 mod arches;
 mod building_motion;

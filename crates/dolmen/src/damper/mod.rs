@@ -9,6 +9,7 @@ mod damped_spectrum;
 mod damper_coupling;
 mod damper_slopes;
 mod design;
+mod displaced_centres;
 mod error;
 mod floors;
 mod goal_cost;
@@ -36,6 +37,7 @@ pub use comparison::{Choice, Compared, Comparison, ComparisonOptions, TuningRow,
 pub use damped_modes::{DampedMode, damped_modes, lowest_seen};
 pub use damped_spectrum::{DampedSpectralAnalysis, damped_spectral_analysis};
 pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design};
+pub use displaced_centres::{DisplacedBuilding, DisplacedCase, displaced_responses};
 pub use error::DamperError;
 pub use floors::{FloorComparison, FloorDesign, FloorSite, compare_floors};
 pub use goal_cost::{goal_cost, point_values};

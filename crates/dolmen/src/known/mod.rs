@@ -4,6 +4,7 @@
 mod bisection;
 pub mod choi_2021;
 pub mod columns;
+pub mod displaced_centre;
 pub mod dry_friction;
 pub mod gap_spring;
 pub mod hwang_min_hong;

@@ -1,5 +1,6 @@
 //! Seismic demand by codes: design spectra of a site (one file per code), the demand on stacks, frames and chains, and allowable storey drifts.
 
+mod accidental_torsion;
 mod by_modes;
 mod circolare;
 mod drift_limit;
@@ -11,6 +12,7 @@ mod shaken_direction;
 mod site;
 mod spectrum;
 
+pub use accidental_torsion::{ACCIDENTAL_ECCENTRICITY, TorsionCode};
 pub use by_modes::ModalRatio;
 pub use circolare::{
     CircolareFactors, DisplacementCapacity, DisplacementDemand, LocalMechanismCapacity, LocalMechanismDemand,

@@ -1,5 +1,6 @@
 //! Buildings: rigid floors on storeys of walls and columns that sway and twist.
 
+mod accidental;
 mod building_of_floors;
 mod damping;
 mod elements;
