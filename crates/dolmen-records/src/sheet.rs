@@ -59,7 +59,7 @@ fn rows_of(
         Some("xlsx") => of_xlsx(bytes, sheet, of)?,
         Some("ods") => of_ods(bytes, sheet, of)?,
         Some("csv" | "tsv" | "txt") if sheet.is_some() => return Err(SheetError::NoSheets),
-        Some("csv" | "tsv" | "txt") => of_text(bytes)?,
+        Some("csv" | "tsv" | "txt") => of_text(bytes, of)?,
         _ => return Err(SheetError::NotATable),
     };
     let is_empty = |row: &Vec<SheetCell>| row.iter().all(|cell| cell.value == SheetValue::Empty);
@@ -243,7 +243,7 @@ fn moment(at: ExcelDateTime) -> String {
 }
 
 /// CSV with commas, semicolons or tabs, by its first line.
-fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+fn of_text(bytes: &[u8], of: SheetUse) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let turned = decoded(bytes);
     let text = std::str::from_utf8(&turned.bytes).map_err(|fault| {
         let at = fault.valid_up_to();
@@ -261,11 +261,16 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
         .into_iter()
         .max_by_key(|mark| count(*mark))
         .unwrap_or(b',');
-    let mut reader = csv::ReaderBuilder::new()
-        .delimiter(delimiter)
-        .has_headers(false)
-        .flexible(true)
-        .from_reader(text.as_bytes());
+    let records = || {
+        csv::ReaderBuilder::new()
+            .delimiter(delimiter)
+            .has_headers(false)
+            .flexible(true)
+            .from_reader(text.as_bytes())
+    };
+    let may_have_commas = delimiter != b',' && of == SheetUse::Dated;
+    let has_decimal_commas = may_have_commas && by_decimal_commas(records());
+    let mut reader = records();
     let mut rows = Vec::new();
     // lines that a spreadsheet shows within one cell
     let mut within_cells = 0;
@@ -296,7 +301,10 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
                 (_, Ok(number)) if number.is_finite() && !has_leading_zero(field) => {
                     SheetValue::Number(number)
                 }
-                _ => SheetValue::Text(field.to_owned()),
+                _ => match decimal_comma(field).filter(|_| has_decimal_commas) {
+                    Some(number) => SheetValue::Number(number),
+                    None => SheetValue::Text(field.to_owned()),
+                },
             };
             Ok(SheetCell { place, value })
         };
@@ -309,6 +317,27 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
         );
     }
     Ok(rows)
+}
+
+/// Whether the numbers of a table have decimal commas, as spreadsheets of some countries write them between semicolons or tabs: some cells
+/// are such numbers, and none has a decimal point. Records of vibrations decide alike, by the sign that makes most cells numbers.
+fn by_decimal_commas(mut reader: csv::Reader<&[u8]>) -> bool {
+    let (mut with_comma, mut with_point) = (false, false);
+    for record in reader.records().map_while(Result::ok) {
+        for field in record.iter().map(str::trim) {
+            with_comma |= decimal_comma(field).is_some();
+            with_point |= field.contains('.') && field.parse::<f64>().is_ok_and(f64::is_finite);
+        }
+    }
+    with_comma && !with_point
+}
+
+/// The number in a cell with one decimal comma.
+fn decimal_comma(field: &str) -> Option<f64> {
+    let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, ',' | '-' | '+' | 'e' | 'E');
+    let is_one = field.matches(',').count() == 1 && field.chars().all(is_of_number);
+    let number = field.replace(',', ".").parse::<f64>().ok();
+    number.filter(|number| is_one && number.is_finite())
 }
 
 fn has_leading_zero(field: &str) -> bool {
@@ -353,6 +382,29 @@ mod tests {
         assert_eq!(
             (rows[1][1].place.as_str(), &rows[1][1].value),
             ("B2", &SheetValue::Number(1.5))
+        );
+    }
+
+    #[test]
+    fn exact_decimal_commas_between_semicolons_and_tabs() {
+        let cell = |text: &str, row: usize, column: usize| {
+            read_dated_sheet(text.as_bytes(), "a.csv", None).unwrap()[row][column]
+                .value
+                .clone()
+        };
+        let text = "date;width\n2020-01-05;12,5\n2020-02-05;-0,25\na,b;7\n";
+        for text in [text.to_owned(), text.replace(';', "\t")] {
+            assert_eq!(cell(&text, 1, 1), SheetValue::Number(12.5));
+            assert_eq!(cell(&text, 2, 1), SheetValue::Number(-0.25));
+            assert_eq!(cell(&text, 3, 0), SheetValue::Text("a,b".to_owned()));
+        }
+        // a point elsewhere in the table: the comma may be of thousands
+        let mixed = text.replace(";7", ";7.5");
+        assert_eq!(cell(&mixed, 1, 1), SheetValue::Text("12,5".to_owned()));
+        assert_eq!(cell(&mixed, 3, 1), SheetValue::Number(7.5));
+        assert_eq!(
+            cell("a,b\n\"12,5\",1\n", 1, 0),
+            SheetValue::Text("12,5".to_owned())
         );
     }
 

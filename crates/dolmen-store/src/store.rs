@@ -261,6 +261,25 @@ fn surveys_of(database: &mut dyn Database, project: &str) -> Result<BTreeMap<Str
     Ok(rows.into_iter().map(|row| (row.name, row.hash)).collect())
 }
 
+/// The text of the first column of the first row.
+fn first_text(
+    database: &mut dyn Database,
+    sql: &str,
+    values: &[Value],
+) -> Result<Option<String>, StoreError> {
+    let rows = all(database, sql, values)?;
+    Ok(rows.into_iter().flatten().find_map(|value| match value {
+        Value::Text(text) => Some(text),
+        _ => None,
+    }))
+}
+
+/// Another structure whose name differs only in case or in spaces at its ends.
+fn named_like(database: &mut dyn Database, structure: &str) -> Result<Option<String>, StoreError> {
+    let sql = "select name from structure where lower(trim(name)) = lower(trim($1)) and name <> $1 order by name limit 1";
+    first_text(database, sql, &[Value::Text(structure.to_owned())])
+}
+
 fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
     let structure = incoming.structure.to_owned();
     let named = [Value::Text(structure.clone())];
@@ -300,7 +319,11 @@ fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> R
         earthquakes: Vec::new(),
         changed_surveys: Vec::new(),
         gone_surveys: Vec::new(),
+        named_like: None,
     };
+    if is_new {
+        added.named_like = named_like(database, &structure)?;
+    }
     for group in incoming.rows(&known, act.who, at_us)?.0 {
         let table = group.0.first().map_or("", |(table, _)| table.name);
         if put(database, &group)? {

@@ -4,6 +4,7 @@ use crate::answer::CompareAnswer;
 use crate::change_fault::ChangeFault;
 use crate::changed_part::changed_parts;
 use crate::compared_readings::{compared_readings, has_modes};
+use crate::compared_surveys::{ComparedSurveys, surveys_to_compare};
 use crate::error::WorkError;
 use crate::history_behind::{Behind, behind, has_history};
 use crate::identify;
@@ -13,12 +14,11 @@ use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::rate_slip::rate_slip;
 use crate::same_record::refuse_same_records;
-use crate::survey_dates::date;
 use crate::surveyed::{ModesOf, SurveyAnswer};
 use crate::told::told_both;
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
 use dolmen::modal::Pairing;
-use dolmen_project::{Project, Survey, TemperaturePart};
+use dolmen_project::{Project, TemperaturePart};
 use dolmen_records::Files;
 
 /// Names of the surveys to compare.
@@ -84,17 +84,24 @@ pub(crate) fn compared_of(
     let [from, to] = [compared.from, compared.to].map(|at| &project.surveys[at]);
     let have_modes = has_modes(from) && has_modes(to);
     let history = match have_modes {
-        true => behind(opened, [compared.from, compared.to], answers, files)?,
+        true => behind(opened, compared, answers, files)?,
         false => None,
     };
+    let ends = history.as_ref().map(|of| of.ends);
+    let of_modes = &ends.map_or_else(|| compared.clone(), |ends| compared.with_ends(project, ends));
     let change = match have_modes {
-        true => Some(change_of(project, compared, answers, history.as_ref())?),
+        true => Some(change_of(project, of_modes, answers, history.as_ref())?),
         false => None,
     };
-    let is_taken = |change: &SurveyChange| change.modes.iter().any(|mode| mode.history.is_some());
+    let is_taken = |change: &SurveyChange| {
+        change
+            .modes
+            .iter()
+            .any(|mode| mode.history.is_some() || mode.is_undecided)
+    };
     let history = history.filter(|_| change.as_ref().is_some_and(is_taken));
     // the model of the earlier survey: damage found at the later one is the change itself
-    let before = project.as_of(&from.name);
+    let before = project.as_of(&project.surveys[of_modes.from].name);
     let explained = change.as_ref().map(|change| changed_parts(&before, change));
     let (parts, model_off) = explained.unwrap_or_default();
     Ok(CompareAnswer {
@@ -107,7 +114,7 @@ pub(crate) fn compared_of(
         change,
         history: history.map(|of| of.told),
         readings: compared_readings(project, compared.from, compared.to),
-        shaken: shaken(project, compared, answers),
+        shaken: shaken(project, of_modes, answers),
         unread: Vec::new(),
     })
 }
@@ -127,90 +134,6 @@ pub(crate) fn shaken(
         (of.is_one() || of.is_shaken()).then(|| (answer.name.clone(), of.modes_of))
     });
     each.collect()
-}
-
-/// Two surveys, by index, and the earlier ones for the fit of a temperature coefficient.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ComparedSurveys {
-    /// The survey before.
-    pub from: usize,
-    /// The survey after.
-    pub to: usize,
-    /// Other surveys before `to` with a temperature, in their order; empty without a fit.
-    pub earlier: Vec<usize>,
-}
-
-/// Whether a survey has data for a comparison.
-fn is_usable(survey: &Survey) -> bool {
-    has_modes(survey) || !survey.tilt.is_empty() || !survey.inspections.is_empty()
-}
-
-/// The surveys to compare: those named, otherwise the first and the last whose names begin with a date, among those with modes if there are two.
-///
-/// # Errors
-/// [`ChangeFault::NoSurvey`], [`ChangeFault::Unclear`], [`ChangeFault::Same`].
-pub fn surveys_to_compare(
-    project: &Project,
-    from: Option<&str>,
-    to: Option<&str>,
-) -> Result<ComparedSurveys, ChangeFault> {
-    let usable = || project.surveys.iter().enumerate().filter(|(_, s)| is_usable(s));
-    let known = || {
-        let names: Vec<&str> = usable().map(|(_, s)| s.name.as_str()).collect();
-        if names.is_empty() {
-            "none".to_owned()
-        } else {
-            names.join(", ")
-        }
-    };
-    let named = |name: &str| {
-        usable()
-            .find(|(_, s)| s.name == name)
-            .map(|(i, _)| i)
-            .ok_or_else(|| ChangeFault::NoSurvey {
-                given: name.to_owned(),
-                known: known(),
-            })
-    };
-    let mut dated: Vec<([u32; 3], usize)> = usable().filter_map(|(i, s)| Some((date(&s.name)?, i))).collect();
-    dated.sort();
-    let with_modes: Vec<([u32; 3], usize)> = dated
-        .iter()
-        .copied()
-        .filter(|(_, i)| has_modes(&project.surveys[*i]))
-        .collect();
-    if with_modes.len() > 1 {
-        dated = with_modes;
-    }
-    let unclear = || ChangeFault::Unclear { known: known() };
-    let end = |name: Option<&str>, of_dated: Option<&([u32; 3], usize)>| match name {
-        Some(name) => named(name),
-        None => of_dated
-            .filter(|_| dated.len() > 1)
-            .map(|(_, i)| *i)
-            .ok_or_else(unclear),
-    };
-    let (from, to) = (end(from, dated.first())?, end(to, dated.last())?);
-    if from == to {
-        return Err(ChangeFault::Same {
-            given: project.surveys[from].name.clone(),
-        });
-    }
-    let fitted = project.change.temperature == TemperaturePart::Fitted;
-    // by date if the later one has one, otherwise in the order of the file
-    let place = |i: usize| {
-        (
-            date(&project.surveys[to].name).and(date(&project.surveys[i].name)),
-            i,
-        )
-    };
-    let earlier = usable()
-        .filter(|(_, survey)| has_modes(survey))
-        .map(|(i, _)| i)
-        .filter(|i| fitted && *i != from && *i != to && place(*i) < place(to))
-        .filter(|i| project.surveys[*i].temperature_c.is_some())
-        .collect();
-    Ok(ComparedSurveys { from, to, earlier })
 }
 
 /// The change of modes between two surveys of a project.
@@ -241,6 +164,7 @@ fn change_of(
             TemperaturePart::Fitted => TemperatureEffect::Fitted,
         },
         history: history.map_or_else(Vec::new, |of| of.effects.clone()),
+        undecided_hz: history.map_or_else(Vec::new, |of| of.undecided_hz.clone()),
         ..SurveyChangeOptions::default()
     };
     let earlier: Vec<Surveyed> = compared.earlier.iter().map(|i| of(*i)).collect();
@@ -266,6 +190,7 @@ mod tests {
     use super::*;
     use crate::compared_history::Course;
     use crate::progress::Silent;
+    use crate::survey_dates::date;
     use dolmen_project::parse_project;
     use dolmen_records::NoFiles;
     use std::sync::Arc;
@@ -375,6 +300,27 @@ mod tests {
         let answer = compared(&earlier, None);
         assert!(answer.history.unwrap().lasting.is_empty());
         assert_eq!(answer.change.unwrap().changed().count(), 0);
+    }
+
+    #[test]
+    fn holds_a_first_survey_of_unknown_weather_is_passed_over_and_named_not_tested() {
+        // the first survey alone is below freezing, 1 % higher than its line
+        let cold = text_of_many().replacen("temperature_c = 22", "temperature_c = -4", 1);
+        assert_ne!(cold, text_of_many());
+        let project = parse_project(&cold, "project.toml").unwrap();
+        let answer = compared(&project, None);
+        let change = answer.change.as_ref().unwrap();
+        assert_eq!(
+            (answer.from.as_str(), change.from.as_str()),
+            ("2018-05-07", "2018-11-07")
+        );
+        assert!(change.modes[0].history.is_some() && !change.modes[0].is_undecided);
+        assert_eq!(answer.history.as_ref().unwrap().passed_over, ["2018-05-07"]);
+        let named = compared(&project, Some("2018-05-07"));
+        let change = named.change.as_ref().unwrap();
+        assert_eq!(change.from, "2018-05-07");
+        assert!(change.modes[0].is_undecided && change.modes[0].frequency.evidence.is_none());
+        assert!(named.history.unwrap().passed_over.is_empty());
     }
 
     #[test]

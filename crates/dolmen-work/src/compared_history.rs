@@ -11,6 +11,8 @@ pub struct ComparedHistory {
     pub span: [String; 2],
     /// Lasting changes between the two, as `watch` finds them, by time.
     pub lasting: Vec<LastingChange>,
+    /// Surveys before the first and after the last one whose modes are compared: their weather is not known, so that no test would hold.
+    pub passed_over: Vec<String>,
 }
 
 /// A lasting change between two surveys.

@@ -3,22 +3,27 @@
 use crate::change_fault::ChangeFault;
 use crate::compared_history::{ComparedHistory, Course, LastingChange};
 use crate::compared_readings::has_modes;
+use crate::compared_surveys::ComparedSurveys;
 use crate::error::WorkError;
 use crate::opened::Opened;
 use crate::survey_dates::{date, day_of};
 use crate::surveyed::SurveyAnswer;
 use crate::watch::{CHANGES_LEAST, history_of};
-use crate::watched::WatchAnswer;
+use crate::watched::{WatchAnswer, WatchedSurvey};
 use dolmen::assess::HistoryEffect;
 use dolmen::monitoring::{ChangeForm, WatchedMode};
-use dolmen_project::Project;
+use dolmen_project::{Project, Survey};
 use dolmen_records::Files;
 
 /// The history of all surveys, for a comparison of two.
 pub(crate) struct Behind {
     pub(crate) told: ComparedHistory,
+    /// The two surveys whose modes are compared: those asked for, or the first and the last whose weather is known.
+    pub(crate) ends: [usize; 2],
     /// Its result for each mode found in both surveys.
     pub(crate) effects: Vec<HistoryEffect>,
+    /// Frequencies in both surveys, Hz, of modes with unknown weather in one of them.
+    pub(crate) undecided_hz: Vec<[f64; 2]>,
     /// Temperatures of both, from the file or its log.
     pub(crate) temperatures_c: [Option<f64>; 2],
 }
@@ -34,17 +39,18 @@ pub(crate) fn has_history(project: &Project, both: [usize; 2]) -> bool {
     from.is_some() && to.is_some() && from != to && dated.count() >= CHANGES_LEAST
 }
 
-/// The history for two surveys; `None` if it has no result for any of their modes.
+/// The history for two surveys; `None` if it follows none of their modes.
 ///
 /// # Errors
 /// Logs that cannot be read; [`ChangeFault`].
 pub(crate) fn behind(
     opened: &Opened,
-    both: [usize; 2],
+    compared: &ComparedSurveys,
     answers: &[SurveyAnswer],
     files: &dyn Files,
 ) -> Result<Option<Behind>, WorkError> {
     let project = &opened.project;
+    let both = [compared.from, compared.to];
     if !has_history(project, both) {
         return Ok(None);
     }
@@ -56,10 +62,24 @@ pub(crate) fn behind(
         let day = day_of(date(&project.surveys[at].name)?);
         answer.surveys.iter().position(|survey| survey.day == day)
     };
-    let (Some(from), Some(to)) = (place(both[0]), place(both[1])) else {
+    let (Some(first), Some(last)) = (place(both[0]), place(both[1])) else {
         return Ok(None);
     };
+    let [from, to] = comparable(&answer, [first, last], compared);
+    let at = |place: usize, own: usize| match place == own {
+        true => None,
+        false => survey_at(project, &answer.surveys[place]),
+    };
+    let ends = [
+        at(from, first).unwrap_or(both[0]),
+        at(to, last).unwrap_or(both[1]),
+    ];
+    let passed_over = [first..from, to + 1..last + 1].into_iter().flatten();
+    let passed_over = passed_over
+        .map(|place| answer.surveys[place].name.clone())
+        .collect();
     let effects = answer.watched.between(from, to);
+    let undecided_hz = answer.watched.undecided_between(from, to);
     // a history whose record cannot be used has no information on weather and scatter
     let with_modes = || {
         answer
@@ -74,12 +94,50 @@ pub(crate) fn behind(
         surveys: with_modes().count(),
         span: [first.name.clone(), last.name.clone()],
         lasting: lasting(&answer, [from.min(to), from.max(to)]),
+        passed_over,
     };
-    Ok((!effects.is_empty()).then(|| Behind {
+    let is_followed = !effects.is_empty() || !undecided_hz.is_empty();
+    Ok(is_followed.then(|| Behind {
         told,
+        ends,
         effects,
+        undecided_hz,
         temperatures_c: [from, to].map(|at| answer.surveys[at].temperature_c),
     }))
+}
+
+/// The two surveys to compare, by their places in the history. An end that nobody named moves inwards to a survey whose weather is known.
+fn comparable(answer: &WatchAnswer, [first, last]: [usize; 2], compared: &ComparedSurveys) -> [usize; 2] {
+    let is_known = |place: &usize| answer.watched.is_weather_known(*place);
+    let from = match compared.named.from {
+        true => Some(first),
+        false => (first..last).find(is_known),
+    };
+    let Some(from) = from else {
+        return [first, last];
+    };
+    let to = match compared.named.to {
+        true => Some(last),
+        false => (from + 1..=last).rev().find(is_known),
+    };
+    to.map_or([first, last], |to| [from, to])
+}
+
+/// The survey of a place in the history: by its name, or one of its day if several of that day are combined.
+fn survey_at(project: &Project, of: &WatchedSurvey) -> Option<usize> {
+    let with_modes = |(i, survey): (usize, &Survey)| has_modes(survey).then_some((i, survey.name.clone()));
+    let all: Vec<(usize, String)> = project
+        .surveys
+        .iter()
+        .enumerate()
+        .filter_map(with_modes)
+        .collect();
+    let by_name = all.iter().find(|(_, name)| *name == of.name);
+    let by_day = || {
+        all.iter()
+            .find(|(_, name)| date(name).map(day_of) == Some(of.day))
+    };
+    by_name.or_else(by_day).map(|(i, _)| *i)
 }
 
 /// Lasting changes and effects of repairs after one survey and until another, by time.

@@ -1,7 +1,7 @@
 //! Inspections over the years: number of damages of each kind, and the growth of each damage.
 
 use crate::compared_readings::DamageKey;
-use crate::near_limit::NEAR_FROM;
+use crate::near_limit::is_near;
 use crate::survey_dates::{date, day_of};
 use dolmen::monitoring::{
     ANSWERED_DAYS, GrowthOptions, GrowthSeries, MonitoringError, TiltTrend, WatchOptions, growth,
@@ -163,10 +163,10 @@ impl WatchedDamage {
             .map(|(limit, size)| size / limit)
     }
 
-    /// Whether it has reached nine tenths of its limit, but not the limit.
+    /// Whether it is near its limit, but has not reached it.
     pub fn is_near(&self) -> bool {
         let is_open = !self.is_repaired && !self.is_beyond();
-        is_open && self.share_of_limit().is_some_and(|share| share >= NEAR_FROM)
+        is_open && self.share_of_limit().is_some_and(is_near)
     }
 
     /// Growth from the first reading since the last repair to the last one; `None` for fewer than two readings.

@@ -22,6 +22,7 @@ mod check;
 pub mod compare;
 pub mod compared_history;
 pub mod compared_readings;
+pub mod compared_surveys;
 mod days;
 mod demand;
 mod doubted;

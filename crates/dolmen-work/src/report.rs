@@ -3,7 +3,8 @@
 use crate::answer::{Answer, CheckAnswer, ProjectReport};
 use crate::building::tune;
 use crate::check::{CheckOptions, Sampling, check};
-use crate::compare::{compared_of, surveys_to_compare};
+use crate::compare::compared_of;
+use crate::compared_surveys::surveys_to_compare;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::identify::{IdentifyOptions, identify};

@@ -1,12 +1,9 @@
 //! Tilts as surveys read them, each survey by itself: the newest, and those beyond the limit.
 
-use crate::near_limit::NEAR_FROM;
+use crate::near_limit::is_near;
 use crate::watched::WatchAnswer;
 use dolmen_project::WorkKind;
 use std::collections::BTreeMap;
-
-/// Relative rounding error of a share.
-const ROUNDING: f64 = 1e-9;
 
 /// The tilt of one survey: x and y of one mark together, other directions separately.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,10 +28,9 @@ impl TiltRead {
         self.limit.map(|limit| (self.ratio / limit).abs())
     }
 
-    /// Whether it has reached nine tenths of its limit.
+    /// Whether it is near its limit, or has reached it.
     pub fn is_near(&self) -> bool {
-        self.share_of_limit()
-            .is_some_and(|share| share >= NEAR_FROM * (1.0 - ROUNDING))
+        self.share_of_limit().is_some_and(is_near)
     }
 
     /// Whether it has reached its limit.
@@ -145,8 +141,8 @@ mod tests {
     #[test]
     fn exact_the_newest_reading_against_its_limit() {
         // the limit is 6.667 mm/m
-        for (last, is_near, is_beyond) in [(5.9, false, false), (6.0, true, false), (6.7, true, true)] {
-            let answer = yearly(&[4.0, 5.0, last], "");
+        for (last, is_near, is_beyond) in [(5.3, false, false), (5.34, true, false), (6.7, true, true)] {
+            let answer = yearly(&[4.0, 4.5, last], "");
             let [read] = answer.latest_tilts().try_into().unwrap();
             assert_eq!(
                 (read.survey, read.is_near(), read.is_beyond()),

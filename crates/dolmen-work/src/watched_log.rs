@@ -1,6 +1,6 @@
 //! Results of a log of the project.
 
-use crate::near_limit::NEAR_FROM;
+use crate::near_limit::is_near;
 use dolmen::monitoring::LoggedTrend;
 use dolmen_project::{LogKind, LogPart};
 
@@ -45,14 +45,14 @@ impl WatchedLog {
         self.trend.is_beyond_limit()
     }
 
-    /// Whether the readings have reached nine tenths of their limit, but not the limit.
+    /// Whether the readings are near their limit, but have not reached it.
     pub fn is_near(&self) -> bool {
         let judged = self.trend.size_to_judge();
         let share = self.trend.limit.map(|limit| match limit.is_one_sided {
             true => judged / limit.size,
             false => (judged / limit.size).abs(),
         });
-        !self.is_beyond() && share.is_some_and(|share| share >= NEAR_FROM)
+        !self.is_beyond() && share.is_some_and(is_near)
     }
 
     /// The last day with a reading, if other data are newer by a week and by five usual intervals of the log.

@@ -364,6 +364,38 @@ fn holds_a_list_that_lacks_a_hazard_says_that_rates_do_not_order_it() {
     );
 }
 
+/// A pagoda with severe damage that its model leaves out is scored as undamaged: the score and the ranking say so, and equal ones share a place.
+#[test]
+fn holds_severe_damage_that_a_score_leaves_out_is_said() {
+    let scratch = Scratch::with_examples("severe_damage");
+    let whole = "schema = 1\nkind = \"stack\"\nname = \"Five storeys\"\ndensity = 2600\n\
+                 joint = { friction = 0.6, normal_stiffness = 1e9, shear_stiffness = 4e8 }\n\
+                 pagoda = { storeys = 5, body_height = 6.0, body_slenderness = 3.74, taper = \"8 deg\", body_base_height_ratio = 3 }\n";
+    let damaged = "[survey.2026-04-02]\ninspections = [{ part = \"storey 3 eave\", what = \"crack\", severity = \"severe\" }]\n";
+    for (name, text) in [("a", whole.to_owned()), ("b", whole.to_owned() + damaged)] {
+        let folder = scratch.path().join("fold").join(name);
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("project.toml"), text).unwrap();
+    }
+    let ranked = scratch.dolmen("rank fold").words();
+    for said in [
+        "DAMAGE LEFT OUT: inspections found severe damage at b, and their places are those of undamaged",
+        "b (damaged) score",
+    ] {
+        assert!(ranked.contains(said), "{said} is missing in\n{ranked}");
+    }
+    let found = json(&scratch, "rank fold");
+    for (place, damage) in [(0, 0), (1, 1)] {
+        let of = &found["structures"][place];
+        assert_eq!((&of["place"], &of["place_by_falls"]), (&1.into(), &1.into()));
+        assert_eq!(of["severe_damage"].as_array().unwrap().len(), damage);
+    }
+    let scored = |name: &str| scratch.dolmen(&format!("score fold/{name}/project.toml")).words();
+    let said = "DAMAGE LEFT OUT: survey 2026-04-02 found severe damage: crack of “storey 3 eave”.";
+    assert!(scored("b").contains(said), "{}", scored("b"));
+    assert!(!scored("a").contains("DAMAGE"));
+}
+
 /// Text, CSV and figure list unranked structures with the reason; impossible numbers are refused row by row.
 #[test]
 fn holds_structures_without_a_place_are_in_every_output() {

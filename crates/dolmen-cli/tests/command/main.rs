@@ -122,6 +122,7 @@ mod unfit_motions;
 mod untrusted;
 mod verbs;
 mod walls;
+mod watched_reasons;
 mod watched_seasons;
 mod watched_slips;
 mod what_counts;

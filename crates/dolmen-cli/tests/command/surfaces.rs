@@ -227,7 +227,7 @@ fn holds_a_tilt_beyond_its_limit_is_red_everywhere_and_one_left_out_is_in_the_he
     // one tilt is enough
     let (status, words) = said("watched", post, "watch project.toml");
     assert!(
-        status == 1 && words.contains("it leans by 25.00 mm/m, beyond"),
+        status == 1 && words.contains("The tilt along y is 25.00 mm/m, beyond"),
         "{words}"
     );
     let offset = post
@@ -257,6 +257,41 @@ fn holds_a_tilt_beyond_its_limit_is_red_everywhere_and_one_left_out_is_in_the_he
         said("direction", &repaired, CHECK)
             .1
             .contains("not in it: tilt x 1/30")
+    );
+}
+
+/// Without a model the surveyed tilt alone decides word and status, in `check` as in `watch`, and in a report on few surveys and on several
+/// projects.
+#[test]
+fn holds_a_surveyed_tilt_beyond_its_limit_is_red_without_a_model() {
+    let surveys = |last: &str| {
+        format!(
+            "schema = 1\nkind = \"survey\"\nname = \"Pole {last}\"\nwatch = {{ tilt_limit = \"1/150\" }}\n\
+             [survey.2018-06-01]\ntilt.x = \"2.9 mm/m\"\n[survey.2019-06-01]\ntilt.x = \"3.0 mm/m\"\n\
+             [survey.2020-06-01]\ntilt.x = \"{last} mm/m\"\n"
+        )
+    };
+    for (last, status, colour) in [("6.7", 1, "red"), ("6.6", 0, "green")] {
+        let text = surveys(last);
+        for command in [CHECK, "watch project.toml", "report project.toml -o report.html"] {
+            let (found, words) = said("survey", &text, command);
+            assert_eq!(found, status, "{last} {command}: {words}");
+        }
+        let (_, of) = judgement("survey", &text, "--json check project.toml");
+        assert_eq!(of["colour"], colour, "{of}");
+        let said = of["over_the_years"].as_str().unwrap_or_default();
+        assert_eq!(said.contains("the tilt is beyond its limit"), status == 1, "{of}");
+    }
+    let scratch = Scratch::new("several");
+    for last in ["6.7", "6.6"] {
+        fs::write(scratch.path().join(format!("p{last}.toml")), surveys(last)).unwrap();
+    }
+    let answer = scratch.dolmen("report p6.6.toml p6.7.toml -o all.html");
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    let page = fs::read_to_string(scratch.path().join("all.html")).unwrap();
+    assert!(
+        page.contains("the tilt is beyond its limit"),
+        "no word on the first page"
     );
 }
 

@@ -51,8 +51,8 @@ messages! {
             ko: "{file}, {place} 셀: \"{given}\"은(는) 수가 아니다",
         },
         WriteNumber => {
-            en: "write a number alone, or leave the cell empty",
-            ko: "수만 쓰거나 셀을 비운다",
+            en: "write a number alone with a decimal point, or leave the cell empty; decimal commas are read where semicolons or tabs separate the cells and no number of the table has a point",
+            ko: "소수점을 쓴 수만 적거나 셀을 비운다. 소수 쉼표는 셀을 세미콜론이나 탭으로 나누고 표의 어떤 수에도 소수점이 없을 때에만 읽는다",
         },
         SdAlone { file: String, place: String, head: String } => {
             en: "{file}, cell {place}: \"{head}\" has no column of its frequency",

@@ -25,6 +25,10 @@ messages! {
             en: "From survey {from} to {to} the frequencies differ by {each}; whether that is beyond chance cannot be said, since no standard deviations are known.",
             ko: "{from} 조사에서 {to} 조사까지 고유진동수의 차이: {each}. 표준편차를 알 수 없어 유의한 변화인지 판단할 수 없다.",
         },
+        NotDecided { from: String, to: String, each: Vec<Sentence> } => {
+            en: "From survey {from} to {to} the frequencies differ by {each}; whether that is beyond chance cannot be said, since the temperature of one of the two is not known or too few other surveys were as cold.",
+            ko: "{from} 조사에서 {to} 조사까지 고유진동수의 차이: {each}. 둘 중 한 조사의 기온을 알 수 없거나 그만큼 추운 조사가 너무 적어 유의한 변화인지 판단할 수 없다.",
+        },
         Differs { frequency: Quantity, sign: String, change: Quantity, stiffness: Quantity } => {
             en: "{frequency} {sign}{change} ({stiffness} of stiffness)",
             ko: "{frequency} {sign}{change}(강성 {stiffness})",
@@ -142,6 +146,7 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     all.extend(damping(change));
     all.push(frequencies(change));
     all.extend(answer.history.as_ref().map(|of| history::finding(of, change)));
+    all.extend(answer.history.as_ref().and_then(history::passed_over));
     all.extend(history::unread(&answer.unread));
     all.extend(parts::findings(&answer.parts));
     all.extend(
@@ -212,7 +217,11 @@ fn frequencies(change: &SurveyChange) -> Finding {
         (None, _) if change.modes.is_empty() => (Tone::Unknown, Found::NothingPaired { from, to }),
         (None, _) => {
             let each = differences(change);
-            (Tone::Unknown, Found::NotTested { from, to, each })
+            let said = match change.modes.iter().any(|mode| mode.is_undecided) {
+                true => Found::NotDecided { from, to, each },
+                false => Found::NotTested { from, to, each },
+            };
+            (Tone::Unknown, said)
         }
         (Some(least), 0) => {
             let said = Found::Unchanged {

@@ -30,6 +30,10 @@ messages! {
             en: "These are two dates; by all surveys nothing lasting changed between them.",
             ko: "위의 값은 두 시점만 비교한 것이다. 전체 조사로 보면 그 사이에 지속적인 변화는 없다.",
         },
+        PassedOver { surveys: Vec<String> } => {
+            en: "Passed over as the first or the last survey, since its temperature is not known or too few others were as cold: {surveys}. With --from and --to the answer gives its differences, without a test.",
+            ko: "기온을 알 수 없거나 그만큼 추운 조사가 너무 적어 처음이나 마지막 조사로 쓰지 않은 조사: {surveys}. --from과 --to로 지정하면 검정 없이 차이만 보인다.",
+        },
         Unread { each: Vec<Sentence> } => {
             en: "Other surveys whose records cannot be used are left out of the weather and the scatter: {each}.",
             ko: "기록을 쓸 수 없어 기온의 영향과 산포의 추정에서 뺀 다른 조사: {each}.",
@@ -70,7 +74,8 @@ const HALF_95: f64 = 1.959963984540054;
 /// The source of weather and scatter, and the lasting changes between both surveys.
 pub(super) fn finding(of: &ComparedHistory, change: &SurveyChange) -> Finding {
     let [first, last] = of.span.clone();
-    let (surveys, all) = (of.surveys, change.modes.len());
+    let decided = change.modes.iter().filter(|mode| !mode.is_undecided);
+    let (surveys, all) = (of.surveys, decided.count());
     let modes = change.modes.iter().filter(|mode| mode.history.is_some()).count();
     let whose = match modes == all {
         true => Behind::All { surveys, first, last },
@@ -91,11 +96,22 @@ pub(super) fn finding(of: &ComparedHistory, change: &SurveyChange) -> Finding {
         true => Behind::Nothing,
         false => Behind::Lasting { each },
     };
-    let said = Behind::Of {
-        whose: whose.into(),
-        lasting: lasting.into(),
-    };
-    Finding::key(Tone::Plain, said)
+    match modes {
+        0 => Finding::key(Tone::Plain, lasting),
+        _ => {
+            let said = Behind::Of {
+                whose: whose.into(),
+                lasting: lasting.into(),
+            };
+            Finding::key(Tone::Plain, said)
+        }
+    }
+}
+
+/// Surveys at both ends whose modes are not compared.
+pub(super) fn passed_over(of: &ComparedHistory) -> Option<Finding> {
+    let surveys = of.passed_over.clone();
+    (!surveys.is_empty()).then(|| Finding::key(Tone::Unknown, Behind::PassedOver { surveys }))
 }
 
 /// Other surveys that cannot be read, with the reasons.

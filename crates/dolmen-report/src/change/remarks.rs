@@ -12,6 +12,10 @@ messages! {
             en: "{untested} of {all} paired frequencies have no standard deviation in one survey or the other: whether they changed cannot be said.",
             ko: "짝지은 고유진동수 {all}개 중 {untested}개는 한쪽 조사의 표준편차를 알 수 없어 변화 여부를 판단할 수 없다.",
         },
+        Undecided { undecided: usize, all: usize } => {
+            en: "{undecided} of {all} paired frequencies are not tested: the temperature of one of the two surveys is not known, or too few others were as cold.",
+            ko: "짝지은 고유진동수 {all}개 중 {undecided}개는 검정하지 않았다. 두 조사 중 하나의 기온을 알 수 없거나 그만큼 추운 조사가 너무 적다.",
+        },
         LostFirst => {
             en: "A mode that is not found again may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
             ko: "다시 확인되지 않은 모드는 짝으로 볼 수 있는 범위(frequency_within)를 넘어 이동하였거나 가진되지 않았을 수 있다.",
@@ -44,7 +48,11 @@ messages! {
 pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
     let mut said = Vec::new();
     let all = change.modes.len();
-    let untested = all - change.tested();
+    let undecided = change.modes.iter().filter(|mode| mode.is_undecided).count();
+    if undecided > 0 && undecided < all {
+        said.push(Remarks::Undecided { undecided, all });
+    }
+    let untested = all - change.tested() - undecided;
     if untested > 0 && untested < all {
         said.push(Remarks::Untested { untested, all });
     }

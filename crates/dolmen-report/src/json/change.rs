@@ -20,6 +20,8 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
         "project": project(&answer.project, &answer.file),
         "from": answer.from,
         "to": answer.to,
+        "modes_from": answer.change.as_ref().map(|change| &change.from),
+        "modes_to": answer.change.as_ref().map(|change| &change.to),
         "earthquakes": answer.shaken.iter().map(|(survey, of)| as_json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
         "between": answer.between().iter().map(|of| match of {
             EventBetween::Work(work) => as_json!({ "date": work.date, "kind": work.kind.word(), "what": work.what }),
@@ -87,6 +89,7 @@ fn mode(mode: &ModeChange) -> Value {
         "explained_by_temperature": mode.explained_by_temperature,
         "temperature_coefficient": mode.fitted,
         "history": mode.history,
+        "undecided": mode.is_undecided,
         "explaining_per_c": mode.explaining_per_c,
         "uniform_stiffness": mode.uniform_stiffness,
         "uniform_stiffness_sd": mode.uniform_stiffness_sd,
@@ -98,6 +101,7 @@ fn history(of: &ComparedHistory) -> Value {
         "surveys": of.surveys,
         "first": of.span[0],
         "last": of.span[1],
+        "passed_over": of.passed_over,
         "lasting": of.lasting.iter().map(lasting).collect::<Vec<_>>(),
     })
 }

@@ -3,7 +3,7 @@
 use super::damage::damage;
 use crate::as_json;
 use crate::engineer::damage_words;
-use crate::headline::headline;
+use crate::headline::{headline, over_the_years};
 use dolmen_words::Language;
 use dolmen_work::judgement::{
     DecidedBy, EarthquakeFinding, Evidence, GrownDamage, Growth, Judgement, MissedMode, MovedBy,
@@ -17,6 +17,7 @@ pub(crate) fn judgement(judgement: &Judgement) -> Value {
         "colour": judgement.colour().word(),
         "words": words(judgement),
         "headline": judgement.headline().map(|of| headline(of, Language::English)),
+        "over_the_years": over_the_years(judgement).map(|of| of.text(Language::English)),
         "finished": judgement.is_done,
         "versions": judgement.versions.iter().map(version).collect::<Vec<_>>(),
     })
@@ -74,7 +75,7 @@ fn version(version: &VersionJudgement) -> Value {
     })
 }
 
-fn severe(of: &SevereDamage) -> Value {
+pub(super) fn severe(of: &SevereDamage) -> Value {
     let what = damage_words(&of.what).text(Language::English);
     as_json!({ "survey": of.survey, "part": of.part, "what": what })
 }

@@ -1,5 +1,6 @@
 //! A ranked portfolio as JSON.
 
+use super::judgement::severe;
 use crate::as_json;
 use crate::finite::JsonObject;
 use crate::rank::not_by_rate;
@@ -53,6 +54,7 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
             "place": place.rank,
             "place_interval_90": [place.rank_interval.lower, place.rank_interval.upper],
             "name": entry.name,
+            "severe_damage": entry.severe_damage.iter().map(severe).collect::<Vec<_>>(),
             "basis": basis,
             "states": states,
             "annual_rate": place.annual_rate,

@@ -1,5 +1,6 @@
 //! The six-factor score as JSON.
 
+use super::judgement::severe;
 use crate::as_json;
 use crate::finite::JsonObject;
 use dolmen::assess::Factor;
@@ -35,6 +36,7 @@ pub fn score_json(answer: &ScoreAnswer) -> Value {
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "designs": answer.designs,
         "unlike_the_designs": answer.unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
+        "severe_damage": answer.severe_damage.iter().map(severe).collect::<Vec<_>>(),
         "factors": by_factor(answer.factors.values()),
         "trained": by_factor(answer.trained.iter().map(|range| [range.lower, range.upper])),
         "states": states.collect::<Vec<_>>(),

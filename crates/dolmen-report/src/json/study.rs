@@ -175,6 +175,7 @@ fn trends(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
             "rises_by_chance": tau.rises_by_chance,
             "falls_by_chance": tau.falls_by_chance,
             "pairs": tau.pairs,
+            "motions": tau.units,
             "concordant": tau.concordant,
             "discordant": tau.discordant,
             "tau_of_each": trend.of_each,

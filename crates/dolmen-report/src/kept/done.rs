@@ -25,6 +25,10 @@ messages! {
             en: "{count} surveys that {structure} had are not in this file, and are watched no more: {names}. Is it the same structure? What was there stays in the store; to take it back, add the file that has them.",
             ko: "{structure}에 있던 계측 조사 {count}건이 이 파일에 없어 더 이상 검토되지 않는다: {names}. 같은 구조물인가? 이전 내용은 저장소에 남으며, 해당 조사가 있는 파일을 다시 저장하면 되돌아온다.",
         },
+        NamedLike { structure: String, other: String } => {
+            en: "{structure} is new to the store, where {other} has the same name but for case or spaces. Are they one structure? Then add this file with --name \"{other}\" and take {structure} out of use (`dolmen survey remove`).",
+            ko: "{structure}은(는) 저장소에 처음이나 대소문자나 빈칸만 다른 {other}이(가) 있다. 같은 구조물인가? 그렇다면 이 파일을 --name \"{other}\"(으)로 저장하고 {structure}의 사용을 중지한다(`dolmen survey remove`).",
+        },
         Analyses(count: usize) => {
             en: "Modes were identified from the records: {count} new analyses.",
             ko: "기록에서 모드를 식별하였다: 신규 식별 {count}건.",
@@ -114,6 +118,10 @@ pub fn added_text(added: &Added, style: TextStyle) -> String {
     document.paragraph(head);
     if added.new_analyses > 0 {
         document.paragraph(Done::Analyses(added.new_analyses));
+    }
+    if let Some(other) = added.named_like.clone() {
+        let structure = added.structure.clone();
+        document.put(Block::Warning(Done::NamedLike { structure, other }.into()));
     }
     if !added.changed_surveys.is_empty() {
         let said = Done::ChangedSurveys {

@@ -98,6 +98,10 @@ messages! {
             en: "not judged: none of the modes that are followed was found",
             ko: "판정하지 않음: 추적 중인 모드가 확인되지 않았다",
         },
+        NotFound(frequencies: Values) => {
+            en: "NOT FOUND: {frequencies}, which earlier surveys have; they changed by more than modes are looked for, or the record lost them. Look at the structure and measure again",
+            ko: "확인되지 않음: 이전 조사에 있던 {frequencies} 모드가 추적 범위를 넘게 변하였거나 기록에서 놓친 것이다. 구조물을 점검하고 다시 계측한다",
+        },
         TooFew { given: usize, least: usize } => {
             en: "not judged: {given} days with modes so far, {least} are needed",
             ko: "판정하지 않음: 모드가 있는 날이 {given}일이며 {least}일이 필요하다",
@@ -129,6 +133,7 @@ fn verdict_words(verdict: &Verdict) -> Sentence {
         Verdict::NotJudged(NotJudged::NewLevel) => Followed::NewLevel,
         Verdict::NotJudged(NotJudged::Temperature) => Followed::Temperature,
         Verdict::NotJudged(NotJudged::NoTemperature) => Followed::NoTemperature,
+        Verdict::NotFound { frequencies_hz } => Followed::NotFound(hertz(frequencies_hz)),
         // stated at the start of its line
         Verdict::Earthquake | Verdict::NoMode => Followed::NoMode,
         Verdict::TooFew { given, least } => Followed::TooFew {
@@ -311,6 +316,7 @@ pub fn followed_json(survey: &str, file: &str, taken: &Taken, judged: &JudgedRec
             Verdict::NotJudged(NotJudged::Temperature) => "temperature",
             Verdict::NotJudged(NotJudged::NoTemperature) => "no_temperature",
             Verdict::Earthquake => "earthquake",
+            Verdict::NotFound { .. } => "not_found",
             Verdict::NoMode => "no_mode",
             Verdict::TooFew { .. } => "too_few",
         },

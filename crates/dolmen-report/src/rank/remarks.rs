@@ -6,7 +6,8 @@ use dolmen::assess::{Known, RankedBy};
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::portfolio::{
-    Basis, FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
+    Basis, FallsApart, LeftOut, PortfolioAnswer, PortfolioEntry, falls_first, hazards_replaced, misjudged,
+    without_hazard,
 };
 
 /// Largest number of structures without a hazard that a remark names.
@@ -53,6 +54,10 @@ messages! {
         OnlyAtMost { names: Sentence } => {
             en: "PLACE NOT KNOWN: every scan of {names} reached the state at the smallest size tried, so that its capacity is known from above alone. It may be the worst of all: scan smaller sizes.",
             ko: "순위를 알 수 없음: {names}의 모든 증분해석이 가장 작은 크기에서 이미 그 상태에 이르러 저항능력의 상한만 안다. 가장 취약할 수도 있으므로 더 작은 크기부터 해석해야 한다.",
+        },
+        SevereDamage { names: Sentence } => {
+            en: "DAMAGE LEFT OUT: inspections found severe damage at {names}, and their places are those of undamaged structures. Look at these yourself first.",
+            ko: "손상 미반영: {names}은(는) 점검에서 심한 손상이 확인되었으나 순위는 손상이 없는 상태의 것이다. 먼저 직접 검토해야 한다.",
         },
         OfVariant { name: String, study: String, variant: String } => {
             en: "{name}: study {study} is of the variant {variant}, not of the structure as it is",
@@ -163,7 +168,22 @@ pub(super) fn fall_alone(answer: &PortfolioAnswer) -> Vec<Sentence> {
 /// Structures whose capacity has an upper bound alone.
 pub(super) fn only_at_most(answer: &PortfolioAnswer) -> Option<Block<'static>> {
     let open = answer.rows().filter(|(.., known)| known.known == Known::AtMost);
-    let mut names: Vec<String> = open.map(|(_, entry, _)| entry.name.clone()).collect();
+    let names = named(open.map(|(_, entry, _)| entry))?;
+    Some(Block::Warning(Remarks::OnlyAtMost { names }.into()))
+}
+
+/// Structures with severe damage that their capacity leaves out.
+pub(super) fn severe_damage(answer: &PortfolioAnswer) -> Option<Block<'static>> {
+    let damaged = answer
+        .rows()
+        .filter(|(_, entry, _)| !entry.severe_damage.is_empty());
+    let names = named(damaged.map(|(_, entry, _)| entry))?;
+    Some(Block::Warning(Remarks::SevereDamage { names }.into()))
+}
+
+/// Names of structures, the first of many; `None` without any.
+fn named<'a>(entries: impl Iterator<Item = &'a PortfolioEntry>) -> Option<Sentence> {
+    let mut names: Vec<String> = entries.map(|entry| entry.name.clone()).collect();
     let more = names.len().saturating_sub(LEFT_OUT_NAMED);
     names.truncate(LEFT_OUT_NAMED);
     let names = match (names.len(), more) {
@@ -171,8 +191,7 @@ pub(super) fn only_at_most(answer: &PortfolioAnswer) -> Option<Block<'static>> {
         (_, 0) => Remarks::Names { names },
         _ => Remarks::NamesAndMore { names, more },
     };
-    let names = names.into();
-    Some(Block::Warning(Remarks::OnlyAtMost { names }.into()))
+    Some(names.into())
 }
 
 /// Structures whose studies are not of the structure as it is.
@@ -237,6 +256,7 @@ fn first(
 pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
     document.put(lead(answer));
     document.blocks.extend(rate_warning(answer));
+    document.blocks.extend(severe_damage(answer));
     document.blocks.extend(only_at_most(answer));
     if !answer.left_out.is_empty() {
         let count = answer.left_out.len();

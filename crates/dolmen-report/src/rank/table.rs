@@ -18,6 +18,7 @@ messages! {
         Caption => { en: "Ranking, the worst first.", ko: "우선순위, 취약한 순서." },
         Structure => { en: "structure", ko: "구조물" },
         Name(name: String) => { en: "{name}", ko: "{name}" },
+        Damaged(name: String) => { en: "{name} (damaged)", ko: "{name}(심한 손상)" },
         RestsOn => { en: "rests on", ko: "근거" },
         Words(words: Both) => { en: "{words}", ko: "{words}" },
         Lowers => { en: "what lowers it", ko: "주된 저하 요인" },
@@ -99,7 +100,11 @@ fn columns(answer: &PortfolioAnswer) -> Vec<Shown> {
 }
 
 fn name(_: &PortfolioAnswer, (_, entry, _): &Row<'_>) -> Cell {
-    Cell::words(Ranking::Name(entry.name.clone()))
+    let name = entry.name.clone();
+    Cell::words(match entry.severe_damage.is_empty() {
+        true => Ranking::Name(name),
+        false => Ranking::Damaged(name),
+    })
 }
 
 fn basis(_: &PortfolioAnswer, (_, entry, _): &Row<'_>) -> Cell {

@@ -32,6 +32,7 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     let mut brief = BriefText::new(style);
     brief.block(remarks::lead(answer));
     brief.blocks(remarks::rate_warning(answer));
+    brief.blocks(remarks::severe_damage(answer));
     brief.blocks(remarks::only_at_most(answer));
     if !answer.left_out.is_empty() {
         brief.block(Block::Warning(remarks::left_out_head(answer)));

@@ -67,7 +67,8 @@ pub fn score_given_text(answer: &GivenAnswer, style: TextStyle) -> String {
         survey: answer.frequency.survey.clone(),
     };
     let head = heading_text(&Sentence::from(head).text(style.language));
-    let warnings = super::pagoda::extrapolated_sentences(&answer.score);
+    let mut warnings = super::pagoda::severe_damage(&answer.score);
+    warnings.extend(super::pagoda::extrapolated_sentences(&answer.score));
     let said = said(answer);
     let tables = [capacities(answer), probabilities(answer)];
     if style.is_full {

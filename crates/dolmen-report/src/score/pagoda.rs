@@ -3,6 +3,7 @@
 use super::words::{Words, factor_cell, factor_name, factor_value, range_cell, state_cell, state_column};
 use crate::brief_rows::BriefText;
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text, heading_text};
+use crate::engineer::damage_words;
 use dolmen::assess::Factor;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -46,6 +47,11 @@ messages! {
             en: "EXTRAPOLATED: {how}; the numbers are those of the designs.",
             ko: "학습 범위 밖: {how}. 아래 값은 학습한 석탑의 조건에 대한 것이다.",
         },
+        SevereDamage { survey: String, found: Vec<Sentence> } => {
+            en: "DAMAGE LEFT OUT: survey {survey} found severe damage: {found}. The numbers are those of the undamaged pagoda; look at this one first.",
+            ko: "손상 미반영: {survey} 조사에서 심한 손상이 확인되었다: {found}. 아래 값은 손상이 없는 석탑의 것이므로 이 석탑을 먼저 점검해야 한다.",
+        },
+        Damaged { part: String, what: Sentence } => { en: "{what} of “{part}”", ko: "‘{part}’ {what}" },
         Unlike(words: Both) => { en: "{words}", ko: "{words}" },
         Outside { factor: Both, given: Quantity, lower: Quantity, upper: Quantity } => {
             en: "{factor} is {given}, trained {lower} – {upper}",
@@ -72,6 +78,9 @@ pub fn score_text(answer: &ScoreAnswer, style: TextStyle) -> String {
 
 fn sections(answer: &ScoreAnswer) -> Document<'static> {
     let mut document = Document::default();
+    document
+        .blocks
+        .extend(severe_damage(answer).into_iter().map(Block::Warning));
     document.put(Block::Table(factors(answer)));
     document.put(Block::Table(capacities(answer)));
     document.note(Pagoda::NoProof);
@@ -85,6 +94,9 @@ fn sections(answer: &ScoreAnswer) -> Document<'static> {
 /// Differences from the designs, the capacities, and as many factors as fit.
 fn brief(answer: &ScoreAnswer, style: TextStyle) -> String {
     let mut brief = BriefText::new(style);
+    for damage in severe_damage(answer) {
+        brief.block(Block::Warning(damage));
+    }
     let how = extrapolated(answer);
     if !how.is_empty() {
         brief.block(Block::Warning(Pagoda::ExtrapolatedAll(how).into()));
@@ -166,6 +178,21 @@ fn capacities(answer: &ScoreAnswer) -> Table {
         ],
         rows: answer.states.iter().map(row).collect(),
     }
+}
+
+/// Severe damage that the score does not know, by survey.
+pub(super) fn severe_damage(answer: &ScoreAnswer) -> Vec<Sentence> {
+    let of_surveys = answer.severe_damage.chunk_by(|a, b| a.survey == b.survey);
+    let each = of_surveys.filter_map(|of_survey| {
+        let survey = of_survey.first()?.survey.clone();
+        let found = of_survey.iter().map(|one| {
+            let (part, what) = (one.part.clone(), damage_words(&one.what));
+            Pagoda::Damaged { part, what }.into()
+        });
+        let found = found.collect();
+        Some(Pagoda::SevereDamage { survey, found }.into())
+    });
+    each.collect()
 }
 
 /// The same as warnings.

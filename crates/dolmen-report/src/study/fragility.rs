@@ -258,7 +258,7 @@ fn risk(own: &StateFragility) -> [Cell; 3] {
     };
     let rated = |rate: f64, digits| Quantity::new(rate, thousandths(), Digits::Significant(digits));
     let rate = rated(risk.annual_rate, 2);
-    let end = |value: f64| bare(rated(value, 1));
+    let end = |value: f64| bare(rated(value, 2));
     let rate = match own.rate_interval {
         None => Cell::number(rate),
         Some([least, most]) if most.is_finite() => Cell::words(Curves::RateBetween {

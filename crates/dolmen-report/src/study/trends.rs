@@ -11,8 +11,8 @@ messages! {
     pub(crate) enum Trends in "study.trends" {
         Caption => { en: "Trends of the capacity, all else equal.", ko: "다른 조건이 같을 때 내진성능의 경향." },
         Meaning => {
-            en: "Kendall's rank correlation τ of pairs under the same motion, direction and sample, and what chance alone would give.",
-            ko: "입력지진·방향·표본이 같은 쌍의 켄달 순위상관계수 τ와 우연만으로 나타날 수 있는 크기.",
+            en: "Kendall's rank correlation τ of pairs under the same motion, direction and sample, and what chance alone would give; only motions count as independent, not the directions and samples of one.",
+            ko: "입력지진·방향·표본이 같은 쌍의 켄달 순위상관계수 τ와 우연만으로 나타날 수 있는 크기. 입력지진만 서로 독립으로 보며, 한 입력지진의 방향과 표본은 독립으로 보지 않는다.",
         },
         EachMeaning { scans: usize } => {
             en: "Same way: in how many motions, directions and samples τ has this sign, and τ from the least to the largest of them (from {scans} on the 5 and 95 % of them).",
@@ -23,6 +23,7 @@ messages! {
         Tau => { en: "τ", ko: "τ" },
         Chance => { en: "± by chance", ko: "± 우연" },
         Pairs => { en: "pairs", ko: "쌍" },
+        Motions => { en: "motions", ko: "입력지진" },
         SameWay => { en: "same way", ko: "같은 방향" },
         Range => { en: "τ of each", ko: "개별 τ" },
         CapacityRises => { en: "the capacity rises with it", ko: "값이 클수록 내진성능 증가" },
@@ -47,13 +48,13 @@ messages! {
             en: "Trends are of {used} of {all}.",
             ko: "경향은 {all} 중 {used}건으로 구하였다.",
         },
-        Found { input: Sentence, expected: Sentence, verdict: Sentence, tau: Quantity, chance: Quantity, pairs: usize } => {
-            en: "{input}: {expected}: {verdict} (τ = {tau}, ± {chance} by chance, pairs: {pairs}).",
-            ko: "{input}: {expected}: {verdict}(τ = {tau}, 우연 ± {chance}, 쌍 {pairs}개).",
+        Found { input: Sentence, expected: Sentence, verdict: Sentence, tau: Quantity, chance: Quantity, pairs: usize, motions: usize } => {
+            en: "{input}: {expected}: {verdict} (τ = {tau}, ± {chance} by chance, pairs: {pairs}, motions: {motions}).",
+            ko: "{input}: {expected}: {verdict}(τ = {tau}, 우연 ± {chance}, 쌍 {pairs}개, 입력지진 {motions}개).",
         },
-        FoundAlone { input: Sentence, verdict: Sentence, tau: Quantity, chance: Quantity, pairs: usize } => {
-            en: "Capacity against {input}: {verdict} (τ = {tau}, ± {chance} by chance, pairs: {pairs}).",
-            ko: "{input}에 따른 내진성능: {verdict}(τ = {tau}, 우연 ± {chance}, 쌍 {pairs}개).",
+        FoundAlone { input: Sentence, verdict: Sentence, tau: Quantity, chance: Quantity, pairs: usize, motions: usize } => {
+            en: "Capacity against {input}: {verdict} (τ = {tau}, ± {chance} by chance, pairs: {pairs}, motions: {motions}).",
+            ko: "{input}에 따른 내진성능: {verdict}(τ = {tau}, 우연 ± {chance}, 쌍 {pairs}개, 입력지진 {motions}개).",
         },
     }
 }
@@ -77,7 +78,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         Column::words(Trends::Expected),
         Column::words(Trends::Verdict),
     ];
-    let mut heads = vec![Trends::Tau, Trends::Chance, Trends::Pairs];
+    let mut heads = vec![Trends::Tau, Trends::Chance, Trends::Pairs, Trends::Motions];
     let mut caption = vec![Trends::Caption.into(), Trends::Meaning.into()];
     if with_each {
         heads.extend([Trends::SameWay, Trends::Range]);
@@ -97,6 +98,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
             Cell::number(fixed(tau.tau, 2)),
             Cell::number(fixed(tau.tau_by_chance, 2)),
             count(tau.pairs),
+            count(tau.units),
         ];
         if with_each {
             row.extend(each(trend));
@@ -136,7 +138,8 @@ pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
             return Finding::key(Tone::Warn, Trends::CannotAct { input });
         }
         let tau = &trend.of_pairs;
-        let (input, pairs) = (input(answer, trend), tau.pairs);
+        let input = input(answer, trend);
+        let (pairs, motions) = (tau.pairs, tau.units);
         let (size, chance) = (fixed(tau.tau, 2), fixed(tau.tau_by_chance, 2));
         let said = verdict(trend);
         let tone = match said {
@@ -152,6 +155,7 @@ pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
                 tau: size,
                 chance,
                 pairs,
+                motions,
             },
             None => Trends::FoundAlone {
                 input,
@@ -159,6 +163,7 @@ pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
                 tau: size,
                 chance,
                 pairs,
+                motions,
             },
         };
         Finding::key(tone, said)

@@ -11,6 +11,7 @@ use super::last::{far_off, last_off, last_survey};
 use super::latest::{latest_tilts, tilts_were_beyond};
 use super::logs::logs;
 use super::lost::{last_apart, lost, unseen, wandering};
+use super::none_judged::none_judged;
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use super::parts::{model_apart, parts};
 use super::sensors_moved::sensors;
@@ -55,14 +56,6 @@ messages! {
             en: "No alarm is unanswered up to the survey of {last}, but the works list inspections alone: none of the changes that raised an alarm ({answered}) was followed by a repair.",
             ko: "{last} 조사까지 점검하지 않은 경보는 없다. 그러나 경보 {answered}건은 점검으로만 확인되었으며, 그 이후 보수 기록이 없다.",
         },
-        TooFewToJudge { needed: usize, surveys: usize } => {
-            en: "Too few surveys to judge yet: {needed} are needed, there are {surveys}.",
-            ko: "아직 판정할 수 있는 조사가 없다. 조사가 {needed}회 이상이어야 한다(지금 {surveys}회).",
-        },
-        NoneJudged { training: usize } => {
-            en: "No survey was judged against those before it: that needs more than {training} surveys before it, with its modes, at one level and near its temperature.",
-            ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정하려면 같은 모드를 같은 수준과 비슷한 기온에서 확인한 조사가 그 전에 {training}회 넘게 있어야 한다.",
-        },
         Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
             en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; if all stiffness changed alike, by {stiffness}.",
             ko: "{frequency} 모드는 {after}와(과) {before} 사이에 {by} ± {half} 변하였다({chance}){cause}. 전체가 같은 비율로 변하였다면 강성 변화는 {stiffness}이다.",
@@ -98,6 +91,10 @@ messages! {
         Alone { survey: String, frequency: Quantity, read: Quantity, by: Quantity } => {
             en: "The survey of {survey} alone has the mode of {frequency} at {read}, {by} off the surveys around it: left out of the search for changes. Look at its record and at what was written down.",
             ko: "{survey} 조사에서만 {frequency} 모드가 {read}(으)로, 앞뒤 조사보다 {by} 벗어나 변화 검토에서 제외하였다. 기록과 적은 값을 확인한다.",
+        },
+        FewTemperatures { known: usize, all: usize } => {
+            en: "A temperature is known of {known} of {all} surveys: too few, or too much alike, to take the weather out by it (needed: four of five surveys, six or more, over 2 °C). They are not used, and only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
+            ko: "조사 {all}회 중 {known}회만 기온이 있어, 또는 기온이 서로 비슷하여 날씨의 영향을 기온으로 제거할 수 없다(조사의 5분의 4 이상, 6회 이상, 2 °C 이상의 범위가 필요하다). 적힌 기온은 쓰지 않았으며, 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 temperature_c를 기록한다.",
         },
         NoTemperature => {
             en: "Temperatures are not known: only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
@@ -254,7 +251,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
                 vec![finding]
             }
             false if answer.watched.modes.is_empty() => Vec::new(),
-            false => vec![Finding::key(Tone::Unknown, none_judged(answer.surveys.len()))],
+            false => vec![none_judged(answer)],
         };
     };
     let of_day = |day: usize| {
@@ -284,18 +281,6 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
         all.push(Finding::key(Tone::Bad, Found::FurtherAlarms { count, each }));
     }
     all
-}
-
-/// Finding that no survey was judged, and how many more are needed.
-fn none_judged(surveys: usize) -> Found {
-    let training = 10;
-    match surveys > training {
-        false => Found::TooFewToJudge {
-            needed: training + 1,
-            surveys,
-        },
-        true => Found::NoneJudged { training },
-    }
 }
 
 /// Works dated long after the last survey.
@@ -458,7 +443,16 @@ fn weather(answer: &WatchAnswer) -> Vec<Finding> {
         )
     };
     if of_modes().any(|(_, weather)| blind(weather.known)) {
-        all.push(Finding::key(Tone::Unknown, Found::NoTemperature));
+        let with_modes = || answer.surveys.iter().filter(|of| !of.frequencies_hz.is_empty());
+        let known = with_modes().filter(|of| of.temperature_c.is_some()).count();
+        let said = match known {
+            0 => Found::NoTemperature,
+            known => Found::FewTemperatures {
+                known,
+                all: with_modes().count(),
+            },
+        };
+        all.push(Finding::key(Tone::Unknown, said));
     }
     let with_time = of_modes().find_map(|(mode, weather)| Some((mode, weather.with_time?)));
     if let Some((mode, correlation)) = with_time {

@@ -64,17 +64,17 @@ messages! {
             en: "{damage}: no trend; a slope of {least} a year would have been seen with 80 % probability. Now {now}.",
             ko: "{damage}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 검출되었을 것이다. 현재 {now}이다.",
         },
-        FewGrew { damage: Sentence, by: Quantity, half: Quantity, from: String, to: String, readings: usize } => {
-            en: "{damage}: it grew by {by} ± {half} from {from} to {to}, more than reading it may be off ({readings} readings; a slope needs four of one level).",
-            ko: "{damage}: {from}부터 {to}까지 {by} ± {half} 커져 측정 오차를 넘는다(측정 {readings}회. 경향을 구하려면 같은 수준에서 4회가 필요하다).",
+        FewGrew { damage: Sentence, by: Quantity, from: String, to: String, readings: usize } => {
+            en: "{damage}: it grew by {by} from {from} to {to}, more than reading it may be off ({readings} readings; a slope needs four of one level).",
+            ko: "{damage}: {from}부터 {to}까지 {by} 커져 측정 오차를 넘는다(측정 {readings}회. 경향을 구하려면 같은 수준에서 4회가 필요하다).",
         },
-        FewSteady { damage: Sentence, by: Quantity, half: Quantity, readings: usize } => {
-            en: "{damage}: it changed by {by} ± {half}, no more than reading it may be off ({readings} readings; a slope needs four of one level).",
-            ko: "{damage}: 변화 {by} ± {half}은(는) 측정 오차를 넘지 않는다(측정 {readings}회. 경향을 구하려면 같은 수준에서 4회가 필요하다).",
+        FewSteady { damage: Sentence, by: Quantity, readings: usize } => {
+            en: "{damage}: it changed by {by}, no more than reading it may be off ({readings} readings; a slope needs four of one level).",
+            ko: "{damage}: 변화 {by}은(는) 측정 오차를 넘지 않는다(측정 {readings}회. 경향을 구하려면 같은 수준에서 4회가 필요하다).",
         },
-        Grew { damage: Sentence, by: Quantity, half: Quantity, from: String, to: String, readings: usize, now: Quantity } => {
-            en: "{damage}: it grew by {by} ± {half} from {from} to {to}, more than reading it may be off, though its {readings} readings show no steady slope. Now {now}: look at it, and whether it goes on.",
-            ko: "{damage}: {from}부터 {to}까지 {by} ± {half} 커져 측정 오차를 넘으나 측정 {readings}회로는 일정한 변화 속도가 보이지 않는다. 현재 {now}이다. 현장을 살피고 계속 변하는지 확인한다.",
+        Grew { damage: Sentence, by: Quantity, from: String, to: String, readings: usize, now: Quantity } => {
+            en: "{damage}: it grew by {by} from {from} to {to}, more than reading it may be off, though its {readings} readings show no steady slope. Now {now}: look at it, and whether it goes on.",
+            ko: "{damage}: {from}부터 {to}까지 {by} 커져 측정 오차를 넘으나 측정 {readings}회로는 일정한 변화 속도가 보이지 않는다. 현재 {now}이다. 현장을 살피고 계속 변하는지 확인한다.",
         },
         Jumped { damage: Sentence, by: Quantity, half: Quantity, after: String, before: String, cause: Sentence } => {
             en: "{damage}: it jumped by {by} ± {half} between {after} and {before}{cause}: look at it, and whether it goes on.",
@@ -88,9 +88,9 @@ messages! {
             en: "{damage}: read as {read} on {date}, where the readings around it give {expected}: it stands alone, and is left out of the slope. Check its decimal point and unit.",
             ko: "{damage}: {date}의 {read}은(는) 앞뒤 측정값에 따른 {expected}에서 홀로 벗어나 경향에서 제외하였다. 소수점과 단위를 확인한다.",
         },
-        LastOff { damage: Sentence, date: String, read: Quantity, expected: Quantity, sd: Quantity, chance: Sentence } => {
-            en: "{damage}: the newest size, {read} ({date}), lies far from the {expected} ± {sd} that the readings before it predict ({chance}); the slope is without it. Check its decimal point and unit; if it is right, look at the damage.",
-            ko: "{damage}: 가장 최근의 {read}({date})은(는) 이전 측정값에 따른 {expected} ± {sd}에서 크게 벗어나며({chance}) 경향은 이 값을 빼고 구하였다. 소수점과 단위를 확인하고, 값이 맞다면 손상을 살핀다.",
+        LastOff { damage: Sentence, date: String, read: Quantity, expected: Quantity, chance: Sentence } => {
+            en: "{damage}: the newest size, {read} ({date}), lies far from the {expected} that the readings before it predict ({chance}); the slope is without it. Check its decimal point and unit; if it is right, look at the damage.",
+            ko: "{damage}: 가장 최근의 {read}({date})은(는) 이전 측정값에 따른 {expected}에서 크게 벗어나며({chance}) 경향은 이 값을 빼고 구하였다. 소수점과 단위를 확인하고, 값이 맞다면 손상을 살핀다.",
         },
         WasBeyond { damage: Sentence, size: Quantity, limit: Quantity, date: String } => {
             en: "{damage}: it was at its limit of {limit} or beyond on {date} ({size}), and is not now: check what was written down, and whether it was mended.",
@@ -121,6 +121,14 @@ pub(super) fn size(metres: f64) -> Quantity {
     let mut size = logged(metres, false, 3);
     size.digits = Digits::Trimmed(3);
     size
+}
+
+/// A size with half the width of its interval, both to the same digit.
+fn with_half(metres: f64, half_m: f64) -> Quantity {
+    Quantity {
+        sd_si: Some(1000.0 * half_m),
+        ..size(metres)
+    }
 }
 
 /// The findings: damages at their limit, growing, new, and their number.
@@ -267,29 +275,19 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
     let Some(slope) = of.trend.slope else {
         let grown = of.grown()?;
         let (from, readings) = (date(grown.from), of.readings.len());
-        let half = size(HALF_95 * grown.sd_m);
-        let by_mm = bare_logged(grown.by_m, false, 2);
+        let by = with_half(grown.by_m, HALF_95 * grown.sd_m);
         return Some(match grown.is_beyond(HALF_95) {
             true => Finding::key(
                 Tone::Warn,
                 Inspections::FewGrew {
                     damage,
-                    by: by_mm,
-                    half,
+                    by,
                     from,
                     to: date(read.inspection),
                     readings,
                 },
             ),
-            false => Finding::new(
-                Tone::Unknown,
-                Inspections::FewSteady {
-                    damage,
-                    by: by_mm,
-                    half,
-                    readings,
-                },
-            ),
+            false => Finding::new(Tone::Unknown, Inspections::FewSteady { damage, by, readings }),
         });
     };
     if !of.trend.is_beyond_chance() {
@@ -297,8 +295,7 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
         if let Some(grown) = of.grown().filter(|grown| !is_told && grown.is_beyond(HALF_95)) {
             let said = Inspections::Grew {
                 damage,
-                by: bare_logged(grown.by_m, false, 2),
-                half: size(HALF_95 * grown.sd_m),
+                by: with_half(grown.by_m, HALF_95 * grown.sd_m),
                 from: date(grown.from),
                 to: date(read.inspection),
                 readings: of.readings.len(),
@@ -382,8 +379,7 @@ fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> Str
             damage: damage(),
             date: date(read.inspection),
             read: size(read.size_m),
-            expected: size(off.expected),
-            sd: size(off.half_95),
+            expected: with_half(off.expected, off.half_95),
             chance: chance(off.p_value),
         });
     let was_beyond = of

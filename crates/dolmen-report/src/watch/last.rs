@@ -21,6 +21,10 @@ messages! {
             en: "The last survey, {last}, has {frequency} {by} off what those before it predict (score {score}; beyond ±3 lies one in 370 by chance); modes beyond ±3: {off} of {of}. One survey is no alarm yet: watch it, measure again soon.",
             ko: "마지막 조사 {last}에서 {frequency} 모드가 이전 조사의 예측보다 {by} 벗어났다(점수 {score}, 우연히 ±3을 벗어날 확률은 370회 중 1회). ±3을 벗어난 모드는 {of}개 중 {off}개이다. 조사 1회로는 아직 경보가 아니나 주의하여 곧 다시 계측한다.",
         },
+        FurtherOff { last: String, frequency: Quantity, by: Quantity, score: Quantity, off: usize, of: usize } => {
+            en: "Beside the alarm, the last survey, {last}, has {frequency} {by} off what those before it predict (score {score}; beyond ±3 lies one in 370 by chance); modes beyond ±3: {off} of {of}.",
+            ko: "경보 외에 마지막 조사 {last}에서 {frequency} 모드도 이전 조사의 예측보다 {by} 벗어났다(점수 {score}, 우연히 ±3을 벗어날 확률은 370회 중 1회). ±3을 벗어난 모드는 {of}개 중 {off}개이다.",
+        },
         TogetherOff { last: String, value: Quantity, limit: Quantity } => {
             en: "All modes of the last survey, {last}, together lie off what those before it predict: T² {value}, where one in 365 lies beyond {limit} by chance. Watch it, measure again soon.",
             ko: "마지막 조사 {last}의 모든 모드를 합하여 보면 이전 조사의 예측을 벗어났다. T²가 {value}이며 우연히 {limit}을(를) 넘을 확률은 365회 중 1회이다. 주의하여 곧 다시 계측한다.",
@@ -52,13 +56,33 @@ pub(super) fn far_off(answer: &WatchAnswer) -> Vec<Finding> {
         has_step || open.any(|of| of.mode == mode)
     };
     let off = answer.last_far_off();
-    let new = off.iter().find(|of| !is_said(of.mode)).map(|of| Last::FarOff {
-        last: name(answer, last),
-        frequency: hertz(of.frequency_hz),
-        by: percent(of.ratio, 2),
-        score: plain(of.score, 1),
-        off: off.len(),
-        of: answer.watched.modes.len(),
+    let is_alarmed = answer
+        .watched
+        .alarms
+        .iter()
+        .any(|of| !of.is_answered && of.alarm.survey == last);
+    let new = off.iter().find(|of| !is_said(of.mode)).map(|of| {
+        let (frequency, by) = (hertz(of.frequency_hz), percent(of.ratio, 2));
+        let score = plain(of.score, 1);
+        let (last, off, of) = (name(answer, last), off.len(), answer.watched.modes.len());
+        match is_alarmed {
+            true => Last::FurtherOff {
+                last,
+                frequency,
+                by,
+                score,
+                off,
+                of,
+            },
+            false => Last::FarOff {
+                last,
+                frequency,
+                by,
+                score,
+                off,
+                of,
+            },
+        }
     });
     let together = answer.last_t_squared().filter(|_| off.is_empty());
     let together = together.map(|of| Last::TogetherOff {

@@ -16,6 +16,7 @@ mod log_limits;
 mod log_table;
 mod logs;
 mod lost;
+mod none_judged;
 mod numbers;
 mod parts;
 mod sensors_moved;
@@ -69,7 +70,7 @@ messages! {
 }
 
 /// Templates of the sentences on a history.
-pub(crate) const TEMPLATES: [&[Template]; 22] = [
+pub(crate) const TEMPLATES: [&[Template]; 23] = [
     parts::Dated::TEMPLATES,
     inspected::Inspections::TEMPLATES,
     inspected_tables::InspectedTable::TEMPLATES,
@@ -84,6 +85,7 @@ pub(crate) const TEMPLATES: [&[Template]; 22] = [
     last::Unjudged::TEMPLATES,
     latest::Latest::TEMPLATES,
     lost::Missing::TEMPLATES,
+    none_judged::NoneJudged::TEMPLATES,
     sensors_moved::Moved::TEMPLATES,
     tilts::Tilted::TEMPLATES,
     exchanged::Exchanged::TEMPLATES,

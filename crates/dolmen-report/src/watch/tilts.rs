@@ -102,6 +102,12 @@ pub(super) fn leans(answer: &WatchAnswer) -> Vec<Finding> {
                         limit: signed(lean.limit?.abs()),
                     }
                 }
+                // too few readings for a trend
+                [] if directions.len() == 1 => Tilted::TiltBeyond {
+                    direction: directions.join(", "),
+                    now,
+                    limit,
+                },
                 _ => Tilted::LeansBeyond {
                     directions,
                     now,

@@ -270,6 +270,7 @@ fn answer() -> PortfolioAnswer {
         has: [true; 4],
         hazard: None,
         hazard_replaced: false,
+        severe_damage: Vec::new(),
     };
     let entries = vec![
         entry("a", 9.0, 9.5, Known::Found),

@@ -30,6 +30,11 @@ pub enum Verdict {
     },
     /// No mode was compared.
     NotJudged(NotJudged),
+    /// None of the followed modes was found, although earlier surveys have them.
+    NotFound {
+        /// Their frequencies, Hz.
+        frequencies_hz: Vec<f64>,
+    },
     /// None of the followed modes was found.
     NoMode,
     /// There are too few surveys.
@@ -103,6 +108,59 @@ pub fn verdict(answer: &WatchAnswer, survey: &str) -> Verdict {
             score,
         },
         (None, Some(why)) => Verdict::NotJudged(why),
-        (None, None) => Verdict::NoMode,
+        (None, None) => not_found(answer, at),
+    }
+}
+
+/// The followed modes that a survey without any of them should have.
+fn not_found(answer: &WatchAnswer, at: usize) -> Verdict {
+    let lost = answer.watched.lost.iter().filter(|lost| lost.since <= at);
+    let tracks = lost.filter_map(|lost| Some(&answer.watched.modes.get(lost.mode)?.track));
+    let frequencies_hz: Vec<f64> = tracks.map(|track| track.frequency_hz).collect();
+    match frequencies_hz.is_empty() {
+        true => Verdict::NoMode,
+        false => Verdict::NotFound { frequencies_hz },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::opened::Opened;
+    use crate::progress::Silent;
+    use dolmen_records::NoFiles;
+
+    /// Daily surveys of two modes; in the last one both are a quarter lower, or the upper one alone.
+    fn last(of_last: [f64; 2]) -> Verdict {
+        let survey = |day: usize| {
+            let [a, b] = match day {
+                25 => of_last,
+                _ => [1.97, 4.93].map(|hz| hz * (1.0 + 1e-4 * ((7 * day) % 5) as f64)),
+            };
+            format!(
+                "[survey.2024-07-{day:02}]\nfrequencies.x = [{{ value = {a}, sd = 0.002 }}, {{ value = {b}, sd = 0.005 }}]\n"
+            )
+        };
+        let surveys: String = (1..=25).map(survey).collect();
+        let text = format!("schema = 1\nkind = \"survey\"\nname = \"Tower\"\n{surveys}");
+        let opened = Opened::read(text, "p".to_owned(), &NoFiles).unwrap();
+        let answer = crate::watch::watch(&opened, &NoFiles, &Silent).unwrap();
+        verdict(&answer, "2024-07-25")
+    }
+
+    #[test]
+    fn holds_modes_that_moved_out_of_sight_are_named() {
+        let Verdict::NotFound { frequencies_hz } = last([1.497, 3.894]) else {
+            panic!("{:?}", last([1.497, 3.894]))
+        };
+        let near = |hz: f64, of: f64| (hz / of - 1.0).abs() < 1e-3;
+        assert!(
+            matches!(frequencies_hz.as_slice(), [a, b] if near(*a, 1.97) && near(*b, 4.93)),
+            "{frequencies_hz:?}"
+        );
+        assert!(matches!(
+            last([1.9705, 4.931]),
+            Verdict::AsPredicted { modes: 2, .. }
+        ));
     }
 }

@@ -98,6 +98,23 @@ impl Alarming {
         })
     }
 
+    /// Of a project without a model: its surveyed tilt alone. A version of a model counts it in its own colour.
+    fn without_model(checked: &CheckAnswer) -> Self {
+        Alarming {
+            is_tilt_beyond: checked.state.is_none() && is_tilt_beyond(&checked.project),
+            ..Alarming::default()
+        }
+    }
+
+    /// Both findings together.
+    fn and(self, other: Alarming) -> Self {
+        Alarming {
+            open_alarms: self.open_alarms.max(other.open_alarms),
+            is_tilt_beyond: self.is_tilt_beyond || other.is_tilt_beyond,
+            cracks_beyond: self.cracks_beyond.max(other.cracks_beyond),
+        }
+    }
+
     /// Whether there is any.
     pub fn is_any(&self) -> bool {
         *self != Alarming::default()
@@ -286,6 +303,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
             judgement
                 .versions
                 .extend(of_check(checked, &found.clone().unwrap_or_default()));
+            judgement.alarming = Alarming::without_model(checked);
         }
     }
     for answer in answers {
@@ -301,7 +319,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
                 }
             }
             Answer::Watch(watched) => {
-                judgement.alarming = Alarming::of(watched);
+                judgement.alarming = judgement.alarming.and(Alarming::of(watched));
             }
             Answer::Compare(compared) => judgement.changed = ChangedSince::of(compared),
             // included above, or without a verdict on the structure
@@ -362,6 +380,7 @@ fn of_check(checked: &CheckAnswer, found: &FromRecords) -> Vec<VersionJudgement>
 pub fn judge_check(checked: &CheckAnswer) -> Judgement {
     Judgement {
         versions: of_check(checked, &FromRecords::default()),
+        alarming: Alarming::without_model(checked),
         ..Judgement::empty()
     }
 }

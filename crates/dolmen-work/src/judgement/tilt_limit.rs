@@ -1,10 +1,8 @@
 //! A measured tilt compared with the limit in the file.
 
+use crate::near_limit::is_near;
 use crate::survey_dates::date;
 use dolmen_project::{Project, Structure, Survey};
-
-/// Limit over tilt below which a tilt is near its limit. Our choice, as for a demand.
-const NEAR_BELOW: f64 = 1.25;
 
 /// A measured tilt and the limit of the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +25,7 @@ impl TiltAgainstLimit {
 
     /// Whether it is near its limit, or beyond.
     pub fn is_near(&self) -> bool {
-        self.tilt * NEAR_BELOW >= self.limit
+        is_near(self.tilt / self.limit)
     }
 }
 

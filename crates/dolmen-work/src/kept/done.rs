@@ -42,6 +42,8 @@ pub struct Added {
     pub unidentified: Vec<Unidentified>,
     /// Surveys whose content differs from that of the same name in the previous state.
     pub changed_surveys: Vec<String>,
+    /// For a structure that is new to the store: another one whose name differs only in case or in spaces at its ends.
+    pub named_like: Option<String>,
     /// Surveys of the previous state that this one lacks.
     pub gone_surveys: Vec<String>,
     /// Earthquakes at the structure, including those from watched folders.

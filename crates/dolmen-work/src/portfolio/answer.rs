@@ -1,6 +1,7 @@
 //! A ranked portfolio: the data of each structure, its rank, and the reasons.
 
 use super::state_words::state_words;
+use crate::judgement::SevereDamage;
 use crate::study::{CombinationFragility, StudyAnswer};
 use crate::wrong::{CaseRefused, NoPlace};
 use dolmen::assess::{
@@ -60,6 +61,8 @@ pub struct PortfolioEntry {
     pub hazard: Option<Hazard>,
     /// Whether the hazard comes from the table although the project has its own.
     pub hazard_replaced: bool,
+    /// Severe damage of its inspections, which its capacity leaves out.
+    pub severe_damage: Vec<SevereDamage>,
 }
 
 impl PortfolioEntry {
@@ -265,6 +268,7 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
         has: std::array::from_fn(|state| only.states.iter().any(|own| own.state == state)),
         hazard,
         hazard_replaced: false,
+        severe_damage: Vec::new(),
     })
 }
 
@@ -357,5 +361,6 @@ pub fn of_score(
         has: [true; 4],
         hazard,
         hazard_replaced: false,
+        severe_damage: Vec::new(),
     })
 }

@@ -86,6 +86,14 @@ pub fn ranking_columns(answer: &PortfolioAnswer) -> Vec<Column> {
             let falls = answer.by_falls.get(place.candidate).copied().flatten();
             falls.map(|rank| rank as f64)
         }),
+        words("severe_damage_left_out", &damaged_words, &nothing),
     ]);
     columns
+}
+
+/// The severely damaged parts, each with its survey.
+fn damaged_words(entry: &PortfolioEntry) -> String {
+    let each = entry.severe_damage.iter();
+    let each: Vec<String> = each.map(|one| format!("{} ({})", one.part, one.survey)).collect();
+    each.join(", ")
 }

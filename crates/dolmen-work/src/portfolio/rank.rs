@@ -3,6 +3,7 @@
 use super::answer::{LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
 use super::table::{PortfolioRow, PortfolioTable, RowSource};
 use crate::error::WorkError;
+use crate::judgement::SevereDamage;
 use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::score::{ScoreDesigns, check_alike, factors};
@@ -191,6 +192,7 @@ fn entry(
                 }
             }?;
             entry.hazard_replaced = replaced;
+            entry.severe_damage = SevereDamage::left_out(project);
             Ok(entry)
         }
     }

@@ -1,6 +1,7 @@
 //! The score of one pagoda, and the quality of the score.
 
 use super::designs::ScoreDesigns;
+use crate::judgement::SevereDamage;
 use dolmen::assess::{
     AssessError, FactorEffect, FactorShares, HeldOut, PagodaScore, SixFactors, Unlike, factor_shares,
     held_out,
@@ -40,6 +41,8 @@ pub struct ScoreAnswer {
     pub trained: [Interval; 6],
     /// Differences from the designs other than in its factors; empty unless allowed.
     pub unlike: Vec<Unlike>,
+    /// Severe damage of its inspections, which the score does not know.
+    pub severe_damage: Vec<SevereDamage>,
     /// Number of designs in the table.
     pub designs: usize,
     /// The score for each state that has one.

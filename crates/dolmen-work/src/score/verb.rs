@@ -3,7 +3,7 @@
 use super::answer::{ScoreAnswer, ScoreQuality};
 use super::designs::ScoreDesigns;
 use crate::error::WorkError;
-use crate::judgement::Evidence;
+use crate::judgement::{Evidence, SevereDamage};
 use crate::opened::Opened;
 use crate::portfolio::unlike_words;
 use crate::simulate::evidence;
@@ -103,6 +103,7 @@ pub(super) fn scored(
         factors,
         trained,
         unlike,
+        severe_damage: SevereDamage::left_out(project),
         designs: designs.designs.len(),
         states,
         gravity_m_s2: project.gravity_m_s2,

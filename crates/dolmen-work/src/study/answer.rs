@@ -104,7 +104,7 @@ impl TrendVerdict {
 pub struct TrendAnswer {
     /// The input, an index.
     pub input: usize,
-    /// From pairs within one motion, direction and sample.
+    /// From pairs within one motion, direction and sample; the records of the motions are the independent units.
     pub of_pairs: Trend,
     /// τ of each motion, direction and sample.
     pub of_each: Vec<f64>,
@@ -345,14 +345,14 @@ impl StudyAnswer {
                 .iter()
                 .filter_map(|c| Some((c.job, c.first_fall_m_s2()?)))
                 .collect();
-            let of_pairs = trend(&self.groups(index, &all))?;
+            let of_pairs = trend(&self.units(index, &all))?;
             let mut of_each = Vec::new();
             for replicate in 0..self.replicates() * self.samples() {
                 let own = all.iter().copied();
                 let own: Vec<(usize, Reached)> = own
                     .filter(|(job, _)| self.replicate_of(*job) == replicate)
                     .collect();
-                let tau = trend(&self.groups(index, &own))?;
+                let tau = trend(&self.units(index, &own))?;
                 if tau.pairs > 0 {
                     of_each.push(tau.tau);
                 }
@@ -388,9 +388,10 @@ impl StudyAnswer {
         self.sample_of(job) * replicates + job % replicates
     }
 
-    /// (input, result) in groups with equal motion, variant and other inputs; infinite without a fall.
-    fn groups(&self, index: usize, results: &[(usize, Reached)]) -> Vec<Vec<(f64, f64)>> {
-        let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, Reached)>> = BTreeMap::new();
+    /// (input, result) in groups with equal motion, direction, sample, variant and other inputs; infinite without a fall. The groups of one
+    /// record are one unit: its directions and samples are not further records.
+    fn units(&self, index: usize, results: &[(usize, Reached)]) -> Vec<Vec<Vec<(f64, f64)>>> {
+        let mut units: BTreeMap<usize, BTreeMap<AllElse<'_>, Vec<(f64, Reached)>>> = BTreeMap::new();
         for &(job, result) in results {
             let case = self.case(job);
             let Some(value) = case.values.get(index).copied().flatten() else {
@@ -402,9 +403,13 @@ impl StudyAnswer {
                 .map(|(_, t)| t.as_str())
                 .collect();
             let key = (self.replicate_of(job), case.variant.as_deref(), others);
+            let groups = units.entry(self.record_index(job)).or_default();
             groups.entry(key).or_default().push((value, result));
         }
-        groups.into_values().map(ranked).collect()
+        let units = units.into_values();
+        units
+            .map(|groups| groups.into_values().map(ranked).collect())
+            .collect()
     }
 }
 

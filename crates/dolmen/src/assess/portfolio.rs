@@ -84,7 +84,7 @@ pub enum RankedBy {
 pub struct Place {
     /// Index of the candidate, from 0.
     pub candidate: usize,
-    /// Rank; 1 is the most urgent.
+    /// Rank; 1 is the most urgent. Equal structures share the rank of the first of them.
     pub rank: usize,
     /// 90 % interval of the rank. A bound may lie anywhere on its open side, for its own rank and for those that it then passes.
     pub rank_interval: Interval,
@@ -195,12 +195,13 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
             among_worst[candidate] += usize::from(place < worst);
         }
     }
-    let mut places = Vec::with_capacity(order.len());
+    let mut places: Vec<Place> = Vec::with_capacity(order.len());
     for (place, candidate) in order.into_iter().enumerate() {
+        let equal = places.last().filter(|last| own[last.candidate] == own[candidate]);
         let [best, last] = &drawn_ends[candidate];
         places.push(Place {
             candidate,
-            rank: place + 1,
+            rank: equal.map_or(place + 1, |last| last.rank),
             rank_interval: Interval {
                 lower: quantile(best, 0.05)?,
                 upper: quantile(last, 0.95)?,
@@ -320,6 +321,14 @@ mod tests {
         assert_eq!(found.by, RankedBy::Capacity);
         let order: Vec<usize> = found.places.iter().map(|place| place.candidate).collect();
         assert_eq!(order, [1, 2, 0]);
+    }
+
+    #[test]
+    fn exact_equal_structures_share_their_rank() {
+        let thetas = [2.0, 1.0, 2.0, 3.0];
+        let found = rank(&thetas.map(|theta| candidate(theta, 0.4, 0.1, None)), 20, 1).unwrap();
+        let ranks: Vec<[usize; 2]> = found.places.iter().map(|of| [of.candidate, of.rank]).collect();
+        assert_eq!(ranks, [[1, 1], [0, 2], [2, 2], [3, 4]]);
     }
 
     /// For two structures, the probability that the better one is drawn as the worse one is Φ(−Δ ln θ/√(σ₁² + σ₂²)).

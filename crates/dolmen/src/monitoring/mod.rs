@@ -8,6 +8,7 @@ mod critical;
 mod daily;
 mod error;
 mod ewma;
+mod fitted_mode;
 mod gram;
 mod growth;
 mod history;

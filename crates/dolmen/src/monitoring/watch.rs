@@ -3,6 +3,7 @@
 use super::MonitoringError;
 use super::alarm::{AlarmOptions, JudgedMode, ModeAlarm, alarm_limit, judge};
 use super::changes::{Changes, Seeking, changes};
+use super::fitted_mode::{FittedMode, FittedReading};
 use super::history::{History, HistorySurvey};
 use super::lost::{LostMode, UnseenMode, is_beyond_chance, lost, unseen};
 use super::outliers::outliers;
@@ -13,7 +14,7 @@ use super::tilt_marks::carry;
 use super::tilt_signs::without_forecast;
 use super::tracking::{Track, Tracked, Tracking, track};
 use super::unknown_temperatures::{filled, with_temperature};
-use super::watched_mode::{FittedMode, LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
+use super::watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 use super::weather::{ModeSeries, WeatherKnown, YEAR_DAYS, columns, earned, has_temperature, knows_frost};
 use crate::numeric::middle;
 
@@ -380,6 +381,16 @@ fn watched_mode(
         weather,
         (of_weather, &dated, interval_days),
     );
+    let beside = (0..series.len()).filter(|i| is_strange(*i) || alone.contains(i));
+    let beside = beside.map(|i| FittedReading::beside(&series, i, (!is_strange(i)).then_some((weather, at))));
+    mode.fitted = Some(FittedMode {
+        series: kept.series,
+        columns: found.columns,
+        of_weather,
+        disturbance: found.disturbance,
+        surveys: kept.surveys,
+        beside: beside.collect(),
+    });
     Ok(mode)
 }
 
@@ -439,13 +450,6 @@ fn explain(
             ratio: of.size / before,
             sd: of.sd / before,
         }
-    });
-    mode.fitted = Some(FittedMode {
-        series: kept.series.clone(),
-        columns: found.columns.clone(),
-        of_weather,
-        disturbance: found.disturbance,
-        surveys: kept.surveys.clone(),
     });
     let last = kept.series.at[kept.len() - 1];
     for change in &found.found {

@@ -1,9 +1,9 @@
 //! Results for one mode over the years.
 
 use super::alarm::JudgedMode;
+use super::fitted_mode::FittedMode;
 use super::regression::Fit;
 use super::scan::{ChangeForm, column};
-use super::series::Series;
 use super::tracking::Track;
 use super::weather::WeatherKnown;
 use super::whitening::Disturbance;
@@ -96,19 +96,6 @@ pub struct WatchedMode {
     pub judged: JudgedMode,
     /// The fit to its readings; `None` if too few surveys show the mode.
     pub(super) fitted: Option<FittedMode>,
-}
-
-/// The readings of a mode with the explanatory columns.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct FittedMode {
-    pub(super) series: Series,
-    /// Columns of level and weather, then of works and changes.
-    pub(super) columns: Vec<Vec<f64>>,
-    /// Number of the columns for level and weather.
-    pub(super) of_weather: usize,
-    pub(super) disturbance: Disturbance,
-    /// Index of each reading's survey.
-    pub(super) surveys: Vec<usize>,
 }
 
 /// A change of a frequency at a given date, significant or not.

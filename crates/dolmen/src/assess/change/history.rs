@@ -32,16 +32,38 @@ pub struct HistoryEffect {
     pub reading_sds_hz: [f64; 2],
 }
 
+/// The mode of a history that belongs to a pair of modes.
+pub(super) struct NearestOfPair {
+    /// Its index.
+    pub(super) index: usize,
+    /// Larger of its two relative differences from the pair.
+    pub(super) off: f64,
+}
+
+/// The mode of a history, given by its frequencies in both surveys, Hz, that is nearest to a pair of modes, if it belongs to the pair.
+pub(super) fn nearest_of_pair(
+    all: impl Iterator<Item = [f64; 2]>,
+    from: &ObservedMode,
+    to: &ObservedMode,
+) -> Option<NearestOfPair> {
+    let off = |[from_hz, to_hz]: [f64; 2]| {
+        let both = [(from_hz, from), (to_hz, to)];
+        let each = both.map(|(hz, mode)| (hz / mode.frequency_hz - 1.0).abs());
+        each[0].max(each[1])
+    };
+    let each = all.enumerate().map(|(index, both_hz)| NearestOfPair {
+        index,
+        off: off(both_hz),
+    });
+    let nearest = each.min_by(|a, b| a.off.total_cmp(&b.off))?;
+    (nearest.off <= SAME_READING).then_some(nearest)
+}
+
 impl HistoryEffect {
     /// The history nearest to a pair of modes, if it belongs to the pair.
     pub(super) fn of_pair<'a>(all: &'a [Self], from: &ObservedMode, to: &ObservedMode) -> Option<&'a Self> {
-        let off = |of: &Self| {
-            let both = [(of.from_hz, from), (of.to_hz, to)];
-            let each = both.map(|(hz, mode)| (hz / mode.frequency_hz - 1.0).abs());
-            each[0].max(each[1])
-        };
-        let nearest = all.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-        (off(nearest) <= SAME_READING).then_some(nearest)
+        let nearest = nearest_of_pair(all.iter().map(|of| [of.from_hz, of.to_hz]), from, to)?;
+        all.get(nearest.index)
     }
 
     /// Variance of the difference, Hz², and its degrees of freedom. `more_hz2` is the variance due to a temperature coefficient from another

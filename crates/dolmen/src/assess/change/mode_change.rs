@@ -54,6 +54,9 @@ pub struct ModeChange {
     pub fitted: Option<FittedTemperature>,
     /// Effect of weather from a history of many surveys, if it is used.
     pub history: Option<HistoryEffect>,
+    /// Whether a history of many surveys follows the mode without knowing the weather of one of the two surveys, so that its frequency is not
+    /// tested.
+    pub is_undecided: bool,
     /// The temperature coefficient that would explain the whole change, relative per °C; `None` if the temperatures do not differ.
     pub explaining_per_c: Option<f64>,
     /// Relative change of the stiffness if it changed uniformly and no mass changed: (1 + r)² - 1, near 2 r.

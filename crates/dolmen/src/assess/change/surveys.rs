@@ -9,7 +9,7 @@
 
 use super::difference::{Raw, tested, welch};
 use super::directions::exchanged_directions;
-use super::history::HistoryEffect;
+use super::history::{HistoryEffect, nearest_of_pair};
 use super::mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
 use super::notes::ChangeNote;
 use super::slips::slips;
@@ -44,6 +44,9 @@ pub struct SurveyChangeOptions {
     pub temperature: TemperatureEffect,
     /// Effects of weather from a history of many surveys. Where a mode has one, it is used instead of `temperature`.
     pub history: Vec<HistoryEffect>,
+    /// Frequencies in both surveys, Hz, of modes that such a history follows without knowing the weather of one of the two: their
+    /// differences are not tested, because the stated deviations include neither weather nor scatter.
+    pub undecided_hz: Vec<[f64; 2]>,
     /// Probability of finding a change in any mode although nothing changed; default 0.05.
     pub significance: f64,
     /// Probability of finding the smallest detectable change; default 0.8.
@@ -56,6 +59,7 @@ impl Default for SurveyChangeOptions {
             pairing: Pairing::default(),
             temperature: TemperatureEffect::Unknown,
             history: Vec::new(),
+            undecided_hz: Vec::new(),
             significance: 0.05,
             power: 0.8,
         }
@@ -73,7 +77,8 @@ impl Default for SurveyChangeOptions {
 /// Frequencies are tested together, and so are damping ratios, each group by Holm's procedure. With [`TemperatureEffect::Fitted`], κ of each mode
 /// is the least-squares slope through `earlier` and `from`, whose temperatures must be known. The scatter about that line, which includes moisture
 /// and crowds, is then the deviation of each survey, and the covariance of f with κ is included. With a history
-/// ([`SurveyChangeOptions::history`]), weather and scatter are those of all its surveys.
+/// ([`SurveyChangeOptions::history`]), weather and scatter are those of all its surveys; modes of which it does not know the weather
+/// ([`SurveyChangeOptions::undecided_hz`]) are not tested.
 ///
 /// # Errors
 /// [`AssessError::NothingToCompare`] if a survey has no modes; [`AssessError::Factor`] for an option out of range;
@@ -133,7 +138,7 @@ pub fn survey_change(
         .pairs
         .iter()
         .zip(&covariates)
-        .map(|(pair, covariate)| frequency_difference(both(pair), covariate, step_c))
+        .map(|(pair, covariate)| frequency_difference(both(pair), covariate, step_c, options))
         .collect();
     let frequencies = tested(&raw, options.significance, options.power)?;
     let with_damping: Vec<Option<Raw>> = paired.pairs.iter().map(|p| damping_difference(both(p))).collect();
@@ -157,6 +162,7 @@ pub fn survey_change(
             damping: damping.and_then(|_| dampings.next()),
             explained_by_temperature: covariate.as_ref().map(|c| c.explained),
             history: covariate.as_ref().and_then(|c| c.history.clone()),
+            is_undecided: is_undecided(both(pair), options),
             fitted: covariate.and_then(|c| c.fitted),
             explaining_per_c: step_c.filter(|step| *step != 0.0).map(|step| whole / step),
             uniform_stiffness: r * (2.0 + r),
@@ -224,6 +230,15 @@ fn is_corrected(mode: &ModeChange, options: &SurveyChangeOptions) -> bool {
     mode.explained_by_temperature.is_some() && (is_given || history.is_none_or(|of| of.knows_temperature))
 }
 
+/// Whether a history follows the mode without knowing the weather of one of its two surveys.
+fn is_undecided((from, to): (&ObservedMode, &ObservedMode), options: &SurveyChangeOptions) -> bool {
+    let both_hz = |of: &HistoryEffect| [of.from_hz, of.to_hz];
+    let of = options.undecided_hz.iter().copied();
+    let nearest = nearest_of_pair(of, from, to);
+    let known = nearest_of_pair(options.history.iter().map(both_hz), from, to);
+    nearest.is_some_and(|of| known.is_none_or(|known| of.off < known.off))
+}
+
 fn check(from: &Surveyed, to: &Surveyed, options: &SurveyChangeOptions) -> Result<(), AssessError> {
     for survey in [from, to] {
         if survey.modes.is_empty() {
@@ -286,6 +301,9 @@ fn covariate(
         .temperature_c
         .zip(from.temperature_c)
         .map(|(after, before)| after - before);
+    if is_undecided((&from.modes[pair.first], &to.modes[pair.second]), options) {
+        return Ok(None);
+    }
     let history = HistoryEffect::of_pair(&options.history, &from.modes[pair.first], &to.modes[pair.second]);
     if let Some(of) = history {
         let (explained, sd_per_c) = match (options.temperature, step_c) {
@@ -398,8 +416,15 @@ fn frequency_difference(
     (from, to): (&ObservedMode, &ObservedMode),
     covariate: &Option<Covariate>,
     step_c: Option<f64>,
+    options: &SurveyChangeOptions,
 ) -> Raw {
     let f = from.frequency_hz;
+    if is_undecided((from, to), options) {
+        return Raw {
+            relative: to.frequency_hz / f - 1.0,
+            spread: None,
+        };
+    }
     let explained = covariate.as_ref().map_or(0.0, |c| c.explained);
     let of_temperature = f * step_c.unwrap_or(0.0) * covariate.as_ref().map_or(0.0, |c| c.sd_per_c);
     let history = covariate.as_ref().and_then(|c| c.history.as_ref());

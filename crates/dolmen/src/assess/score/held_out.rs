@@ -87,7 +87,7 @@ fn ranking(predicted: &[f64], simulated: &[f64]) -> Result<Ranking, AssessError>
     let (found, true_ones) = (worst(predicted), worst(simulated));
     let hits = true_ones.iter().filter(|design| found.contains(design)).count();
     Ok(Ranking {
-        kendall_tau: trend(&[points])?.tau,
+        kendall_tau: trend(&[vec![points]])?.tau,
         worst_fifth_found: hits as f64 / true_ones.len() as f64,
     })
 }
