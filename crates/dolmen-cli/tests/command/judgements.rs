@@ -120,7 +120,7 @@ fn holds_a_contradicted_load_factor_is_unknown_and_a_contradicted_stack_keeps_it
         "{}",
         answer.stdout
     );
-    // the pagoda's published frequency is 15 % off that of the springs assumed
+    // the pagoda's published frequency is 16 % off that of the springs assumed
     let answer = scratch.dolmen("--json check examples/five_storey_pagoda");
     let json: Value = serde_json::from_str(&answer.stdout).unwrap();
     let version = &json["judgement"]["versions"][0];

@@ -54,7 +54,7 @@ fn holds_repairs_too_close_for_any_alarm_are_named_as_the_reason() {
 
 #[test]
 fn holds_temperatures_too_few_to_use_are_counted() {
-    let half = |i: usize| season_c(i).filter(|_| i % 2 == 0);
+    let half = |i: usize| season_c(i).filter(|_| i.is_multiple_of(2));
     let words = watched("half", "", &monthly(30, half));
     assert!(
         words.contains("A temperature is known of 15 of 30 surveys: too few"),

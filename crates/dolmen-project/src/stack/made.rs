@@ -74,7 +74,9 @@ pub(super) fn wall_part(reader: &mut Reader, raw: &At<StoneWallRaw>) -> Option<(
     let small = |count: Option<usize>| count.and_then(|count| u32::try_from(count).ok());
     let leaves = small(reader.count(given.leaves.as_ref(), "wall.leaves", 1, LEAVES_MOST));
     let through = given.through_every.as_ref();
-    let through_every = small(reader.count(through, "wall.through_every", 1, COURSES_MOST));
+    // a higher wall would have no through stone
+    let through_every =
+        small(reader.count(through, "wall.through_every", 1, courses.unwrap_or(COURSES_MOST)));
     let openings = listed(
         reader,
         given.openings.as_deref(),

@@ -9,8 +9,8 @@ use super::words::{at, direction, first_with_ties, joint_moves, moves_together, 
 use super::{narrow_beds, soil, supports};
 use crate::document::{Finding, Tone};
 use dolmen::assess::StackNote;
-use dolmen::stability::stack::Governing;
-use dolmen::structure::stack::Stack;
+use dolmen::stability::stack::{Governing, StackLimitStates};
+use dolmen::structure::stack::{GAP_CLOSED_M, Stack};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::state::StackAnswer;
 
@@ -79,21 +79,30 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     }
     all.extend(narrow_beds::finding(&answer.stack));
     all.extend(crushing::findings(answer));
-    if let Some(with) = first_with_ties(&check.limits) {
-        let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));
+    if !answer.stack.ties().is_empty() {
+        all.extend(with_ties(&check.limits));
+    }
+    all.extend(soil::finding(answer));
+    all.extend(answer.lean.as_ref().map(lean));
+    all.extend(check.notes.iter().map(|of| noted(of, &answer.stack)));
+    all
+}
+
+/// What moves with ties at their strength.
+fn with_ties(limits: &StackLimitStates) -> Vec<Finding> {
+    let mut all = Vec::new();
+    if let Some(with) = first_with_ties(limits) {
+        let (moves, at) = (joint_moves(limits, with), at(&with.threshold));
         all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
     }
-    for (with, without) in parts_with_ties(&check.limits) {
+    for (with, without) in parts_with_ties(limits) {
         let said = Found::PartWithTies {
-            moves: joint_moves(&check.limits, &with),
+            moves: joint_moves(limits, &with),
             at: at(&with.threshold),
             without: at(&without),
         };
         all.push(Finding::new(Tone::Plain, said));
     }
-    all.extend(soil::finding(answer));
-    all.extend(answer.lean.as_ref().map(lean));
-    all.extend(check.notes.iter().map(|of| noted(of, &answer.stack)));
     all
 }
 
@@ -107,18 +116,24 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         | StackNote::WithoutDilatancy { .. }
         | StackNote::UpperBound
         | StackNote::BondCarries
+        | StackNote::CohesionCounted
         | StackNote::KineticFalls
+        | StackNote::SliversCarry { .. }
         | StackNote::Gaps { .. } => Finding::key(Tone::Warn, said),
         StackNote::LoadsWithoutMass { with_g, without_g } if is_less(*without_g, *with_g) => {
             Finding::key(Tone::Warn, said)
         }
+        // less is only the roughness of dressed stone
+        StackNote::SliversLeftOut { width_m, .. } if *width_m > GAP_CLOSED_M => {
+            Finding::key(Tone::Warn, said)
+        }
         StackNote::SharedLoad
+        | StackNote::SliversLeftOut { .. }
         | StackNote::LoadsWithoutMass { .. }
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
         | StackNote::StrengthFromInside
         | StackNote::SideSupportsLeftOut
-        | StackNote::CohesionCounted
         | StackNote::TensionLeftOut
         | StackNote::KineticLess { .. }
         | StackNote::KineticShared { .. }

@@ -36,9 +36,9 @@ pub(super) fn finding(stack: &Stack) -> Option<Finding> {
             return None;
         };
         let all = beds.iter().filter(|other| other.upper == bed.upper).count();
-        let width_m = 2.0 * bed.patch.depth_m([0.0, 0.0]);
+        let width_m = bed.patch.width_m();
         let is_narrow = width_m < NARROW_M.min(NARROW * plan_width_m(stack, bed.upper));
-        ((2..=BEDS_MOST).contains(&all) && is_narrow).then_some((width_m, bed.upper, lower))
+        ((2..=BEDS_MOST).contains(&all) && is_narrow && !bed.is_sliver).then_some((width_m, bed.upper, lower))
     });
     let (width_m, upper, lower) = narrow.min_by(|a, b| a.0.total_cmp(&b.0))?;
     let name = |block: usize| stack.blocks().get(block).map(|block| block.name.clone());

@@ -1,6 +1,7 @@
 //! Notes on the numbers of a stack.
 
 use super::words::{in_g, place, value};
+use crate::simulated::milli;
 use dolmen::assess::{Gaps, StackNote};
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -108,13 +109,21 @@ messages! {
             en: "{lower} – {upper}, {width} apart",
             ko: "{lower} – {upper}, 간격 {width}",
         },
+        SliversLeftOut { lower: Sentence, upper: String, width: Quantity, contacts: usize } => {
+            en: "Contacts that carry nothing, because they are narrower than a drawing is accurate: {contacts}; the widest is {lower} – {upper}, {width} wide. Where stones do lie on each other, measure the bed and draw it.",
+            ko: "폭이 도면의 정확도보다 좁아 힘을 전달하지 않는 것으로 본 접촉: {contacts}곳. 가장 넓은 것은 {lower} – {upper}, 폭 {width}. 실제로 걸쳐 있으면 폭을 측정하여 입력한다.",
+        },
+        SliversCarry { lower: Sentence, upper: String, width: Quantity, contacts: usize } => {
+            en: "“{upper}” does not stand without a contact {width} wide ({lower} – {upper}), and that is narrower than a drawing is accurate (such contacts: {contacts}). The verdict is no better than marginal: measure the bed.",
+            ko: "‘{upper}’은(는) 폭 {width}의 접촉({lower} – {upper})이 없으면 서 있지 못하며, 이 폭은 도면의 정확도보다 좁다(이런 접촉 {contacts}곳). 판정은 '여유 부족'을 넘지 않는다. 접합면의 폭을 측정한다.",
+        },
         KineticShared { moves_at: Quantity } => {
             en: "With the kinetic friction in every joint, which a joint that moves once has, it begins to move at {moves_at}.",
             ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 {moves_at}에서 움직이기 시작한다.",
         },
         KineticFalls => {
-            en: "With the kinetic friction in every joint, which a joint that moves once has, it does not stand: no forces balance the weight.",
-            ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 자중과 평형을 이루는 힘이 없어 서 있지 못한다.",
+            en: "With the kinetic friction in every joint, which a joint that moves once has, it does not stand: no forces balance the weight. The verdict is no better than marginal.",
+            ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 자중과 평형을 이루는 힘이 없어 서 있지 못하므로 판정은 '여유 부족'을 넘지 않는다.",
         },
         NoTies => {
             en: "Ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand beside it.",
@@ -139,14 +148,22 @@ pub(super) fn is_less(without_g: Option<f64>, with_g: Option<f64>) -> bool {
 /// Smallest reduction for which the answer gives both values; the error of the solver is 1e-8.
 const LESS: f64 = 1e-3;
 
-/// The joint with the widest gap.
-pub(crate) fn widest(lower: &str, upper: String, gap_m: f64) -> Sentence {
-    let lower = match lower {
+/// The lower body of a joint.
+fn below(name: &str) -> Sentence {
+    match name {
         "ground" => place("the ground"),
         name => place(name),
-    };
+    }
+}
+
+fn millimetres(width_m: f64) -> Quantity {
+    Quantity::new(width_m, milli("m"), Digits::Significant(2))
+}
+
+/// The joint with the widest gap.
+pub(crate) fn widest(lower: &str, upper: String, gap_m: f64) -> Sentence {
     Notes::Gap {
-        lower,
+        lower: below(lower),
         upper,
         width: Quantity::new(gap_m, Unit::si("m"), Digits::Fixed(4)),
     }
@@ -237,6 +254,28 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
                 },
             }
         }
+        StackNote::SliversLeftOut {
+            lower,
+            upper,
+            width_m,
+            contacts,
+        } => Notes::SliversLeftOut {
+            lower: below(stack.name(*lower)),
+            upper: stack.name(Body::Block(*upper)).to_owned(),
+            width: millimetres(*width_m),
+            contacts: *contacts,
+        },
+        StackNote::SliversCarry {
+            lower,
+            upper,
+            width_m,
+            contacts,
+        } => Notes::SliversCarry {
+            lower: below(stack.name(*lower)),
+            upper: stack.name(Body::Block(*upper)).to_owned(),
+            width: millimetres(*width_m),
+            contacts: *contacts,
+        },
         StackNote::TiesLeftOut => Notes::NoTies,
         StackNote::PeriodUnknown => Notes::NoPeriod,
     };

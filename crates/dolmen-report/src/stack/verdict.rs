@@ -2,7 +2,7 @@
 
 use super::mechanism::moving;
 use super::standing::standing;
-use super::words::{DIGITS, at, in_g, margin};
+use super::words::{DIGITS, at, in_g, known_g, margin};
 use dolmen::assess::{MARGINAL_BELOW_G, StackNote};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{LimitAnalysisStatus, Standing};
@@ -75,7 +75,7 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
         },
         // a tilt is equivalent to a horizontal acceleration of g times its tangent
         (Standing::Stands, Some(capacity)) if !limits.statically_determinate => {
-            let degrees = capacity.acceleration_g.atan().to_degrees();
+            let degrees = known_g(capacity.acceleration_g).atan().to_degrees();
             let tilt = Quantity::new(degrees, Unit::si("°"), Digits::Significant(DIGITS));
             let at = at(capacity);
             let notes = &answer.check.notes;

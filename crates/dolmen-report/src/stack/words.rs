@@ -47,7 +47,22 @@ pub(crate) fn megapascals(stress_pa: f64) -> Quantity {
 
 /// An acceleration over gravity.
 pub(super) fn in_g(acceleration_g: f64) -> Quantity {
-    Quantity::new(acceleration_g, Unit::si("g"), Digits::Significant(DIGITS))
+    Quantity::new(
+        known_g(acceleration_g),
+        Unit::si("g"),
+        Digits::Significant(DIGITS),
+    )
+}
+
+/// Largest error of a limit analysis, over gravity: what is smaller is 0.
+const LIMIT_ERROR_G: f64 = 1e-6;
+
+/// An acceleration over gravity, 0 if it is only an error of the limit analysis.
+pub(super) fn known_g(acceleration_g: f64) -> f64 {
+    match acceleration_g.abs() < LIMIT_ERROR_G {
+        true => 0.0,
+        false => acceleration_g,
+    }
 }
 
 /// A number alone.

@@ -1,6 +1,7 @@
 //! Outcome of a simulated stack, and its significance.
 
 use crate::simulated::{Simulated, cut, milli, seconds};
+use dolmen::assess::{DamageState, DamageThresholds};
 use dolmen::blocks::{Outcome, StackHistory};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
@@ -62,6 +63,10 @@ messages! {
         ShiftedOpened { upper: String, lower: Sentence, least: Quantity, at: Quantity } => {
             en: "Joints opened, first '{upper}' on '{lower}' by more than {least} at {at}.",
             ko: "접합면이 벌어졌으며 {at}에 ‘{lower}’ 위의 ‘{upper}’에서 처음 {least}을(를) 넘었다.",
+        },
+        ShiftedRocked { upper: String, lower: Sentence, share: Quantity, state: usize } => {
+            en: "Widest rocking: '{upper}' on '{lower}' turned by {share} of the angle at which what stands there overturns (DS{state}).",
+            ko: "가장 크게 흔들린(로킹) 곳은 ‘{lower}’ 위의 ‘{upper}’이다: 그 상부가 전도되는 각의 {share}까지 회전하였다(DS{state}).",
         },
         Stood { least: Quantity } => {
             en: "it stood; no joint opened by more than {least}.",
@@ -210,8 +215,9 @@ fn shifted(simulation: &StackSimulation) -> Option<Sentence> {
         slip: tenths_mm(of.peak_slip_m),
         left: tenths_mm(of.residual_slip_m),
         share: Quantity::new(of.residual_slip_ratio, Unit::percent(), Digits::Fixed(1)),
-        state: state(simulation),
+        state: usize::from(of.state_by_offset(&DamageThresholds::default()).number()),
     };
+    let rocked = rocked(simulation);
     let farther = simulation.slipped().filter(|(longest, _)| *longest != joint);
     let farther = farther.map(|(longest, of)| {
         let (upper, lower) = stones(simulation, longest);
@@ -233,8 +239,25 @@ fn shifted(simulation: &StackSimulation) -> Option<Sentence> {
             at,
         })
     });
-    let all = farther.into_iter().chain(opened);
+    let all = rocked.into_iter().chain(farther).chain(opened);
     Some(all.fold(shifted.into(), |first, next| Ending::And { first, next }.into()))
+}
+
+/// The joint that rocked farthest, if it rocked severely.
+fn rocked(simulation: &StackSimulation) -> Option<Sentence> {
+    let joints = simulation.damage.joints.iter().enumerate();
+    let (joint, of) = joints.max_by(|a, b| a.1.peak_rocking_ratio.total_cmp(&b.1.peak_rocking_ratio))?;
+    if !of.rocked_severely(&DamageThresholds::default()) {
+        return None;
+    }
+    let (upper, lower) = stones(simulation, joint);
+    let said = Ending::ShiftedRocked {
+        upper,
+        lower,
+        share: Quantity::new(of.peak_rocking_ratio, Unit::percent(), Digits::Fixed(0)),
+        state: usize::from(DamageState::Severe.number()),
+    };
+    Some(said.into())
 }
 
 fn state(simulation: &StackSimulation) -> usize {

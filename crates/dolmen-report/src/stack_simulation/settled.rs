@@ -6,7 +6,7 @@ use crate::document::{
 };
 use crate::figures::stack_settled;
 use crate::simulated::{milli, millimetres, seconds};
-use dolmen::blocks::{ContactLaw, LooseEnding, LooseStones};
+use dolmen::blocks::{ContactLaw, LooseEnding, LooseMargin, LooseStones};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::{SettledRun, SettledSimulation};
 
@@ -62,10 +62,26 @@ messages! {
             en: "The two laws differ: '{block}' ends {distance} apart. Where it comes to rest is not certain: draw it closer to where it lies.",
             ko: "두 접촉 법칙의 결과가 다르다. ‘{block}’의 두 위치가 {distance} 떨어져 있어 안착 위치가 확실하지 않다. 실제 놓인 자리에 더 가깝게 입력한다.",
         },
+        Margin { at: Quantity } => {
+            en: "Where they lie the stones begin to move at {at} horizontal, by a limit analysis of their contacts.",
+            ko: "접촉의 한계해석에 따르면 돌은 놓인 상태에서 수평 {at}에 움직이기 시작한다.",
+        },
+        MarginSmall { at: Quantity, least: Quantity } => {
+            en: "Where they lie the stones begin to move at {at} horizontal, by a limit analysis of their contacts; “stable” needs {least}.",
+            ko: "접촉의 한계해석에 따르면 돌은 놓인 상태에서 수평 {at}에 움직이기 시작한다. ‘안정’은 {least} 이상이다.",
+        },
+        Balanced => {
+            en: "A stone is only balanced where it lies, on an edge or a point: the smallest push topples it. Draw it as it lies.",
+            ko: "모서리나 꼭짓점 위에서 균형만 잡은 돌이 있어 아주 작은 힘에도 쓰러진다. 실제 놓인 자세대로 입력한다.",
+        },
+        MarginUnknown => {
+            en: "How far the stones are from motion where they lie is not known: the limit analysis of their contacts gave no answer.",
+            ko: "놓인 상태에서 움직이기까지의 여유를 알 수 없다. 접촉의 한계해석이 답을 주지 못하였다.",
+        },
         OneLaw => { en: "Only one law gave a result: the other may differ.", ko: "한 접촉 법칙의 결과만 있으며 다른 법칙의 결과와 다를 수 있다." },
         Scale => {
-            en: "stable: by both laws all stones come to rest in their places · unstable: by both some leave them, wherever they come to rest · unknown: the laws differ, or a run has no end. An earthquake is not in this word.",
-            ko: "안정: 두 접촉 법칙 모두에서 모든 돌이 제자리에 안착 · 불안정: 모두에서 일부가 자리를 벗어남(멈춘 위치와 무관) · 판정 불가: 두 법칙의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
+            en: "stable: by both laws all stones come to rest in their places and begin to move there from 0.02 g on · marginal: below 0.02 g · unstable: by both some leave their places, wherever they come to rest, or a stone is only balanced · unknown: the laws differ, or a run has no end. An earthquake is not in this word.",
+            ko: "안정: 두 접촉 법칙 모두에서 모든 돌이 제자리에 안착하고 0.02 g 이상에서 움직이기 시작함 · 여유 부족: 0.02 g 미만에서 움직이기 시작함 · 불안정: 모두에서 일부가 자리를 벗어나거나(멈춘 위치와 무관) 균형만 잡은 돌이 있음 · 판정 불가: 두 법칙의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
         },
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         LeftOut { law: Sentence, why: String } => {
@@ -144,6 +160,7 @@ fn findings_of_version(of: &SettledSimulation) -> Vec<Finding> {
         all.push(Finding::key(tone(&run.settled), said));
         all.extend(under_motion(of, run));
     }
+    all.extend(margin(of));
     if of.runs.is_empty() {
         all.push(Finding::key(Tone::Unknown, Settled::NoRun));
     }
@@ -160,6 +177,41 @@ fn findings_of_version(of: &SettledSimulation) -> Vec<Finding> {
     }));
     all.push(Finding::new(Tone::Plain, Settled::Hulls));
     all
+}
+
+/// How near to motion the stones rest; `None` unless all rest in their places by every law, and if they are wedged.
+fn margin(of: &SettledSimulation) -> Option<Finding> {
+    let stood = |run: &SettledRun| run.settled.ending == LooseEnding::Stood;
+    if of.runs.is_empty() || !of.runs.iter().all(stood) {
+        return None;
+    }
+    let in_g = |value: f64| Quantity::new(value, Unit::si("g"), Digits::Significant(3));
+    let least_g = of.least_margin_g();
+    let at = in_g(least_g.unwrap_or_default());
+    let said = match of.margin() {
+        LooseMargin::Unknown => Settled::MarginUnknown,
+        LooseMargin::Balanced => Settled::Balanced,
+        LooseMargin::Small => Settled::MarginSmall {
+            at,
+            least: in_g(LooseStones::MARGINAL_BELOW_G),
+        },
+        LooseMargin::Enough if least_g.is_some_and(f64::is_infinite) => return None,
+        LooseMargin::Enough => Settled::Margin { at },
+    };
+    let tone = match of.margin() {
+        LooseMargin::Enough => Tone::Plain,
+        margin => tone_of_margin(margin),
+    };
+    Some(Finding::key(tone, said))
+}
+
+fn tone_of_margin(margin: LooseMargin) -> Tone {
+    match margin {
+        LooseMargin::Enough => Tone::Good,
+        LooseMargin::Small => Tone::Warn,
+        LooseMargin::Balanced => Tone::Bad,
+        LooseMargin::Unknown => Tone::Unknown,
+    }
 }
 
 /// Whether the laws agree, for a headline.
@@ -195,7 +247,7 @@ fn under_motion(of: &SettledSimulation, run: &SettledRun) -> Option<Finding> {
 
 fn tone(stones: &LooseStones) -> Tone {
     match stones.ending {
-        LooseEnding::Stood => Tone::Good,
+        LooseEnding::Stood => tone_of_margin(stones.margin()),
         LooseEnding::Fell => Tone::Bad,
         LooseEnding::StillMoving { .. } | LooseEnding::Sank { .. } | LooseEnding::Unusable => Tone::Unknown,
     }

@@ -4,7 +4,7 @@ use super::colour::Colour;
 use super::said::{WeightSaid, text};
 use crate::stack::{SettledSimulation, SupportsSimulation};
 use crate::state::{Check, State};
-use dolmen::blocks::LooseEnding;
+use dolmen::blocks::{LooseEnding, LooseMargin};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::MovedSupports;
 use dolmen_words::Language;
@@ -87,14 +87,19 @@ impl Weight {
             .unwrap_or(Weight::Stable)
     }
 
-    /// The word for loose stones as they settle, without a motion: stable if all rest in their places by every law, unstable if by every law some
-    /// leave them, wherever they come to rest.
+    /// The word for loose stones as they settle, without a motion: stable if all rest in their places by every law, and no small push moves them
+    /// there; unstable if by every law some leave them, wherever they come to rest, or a stone is only balanced.
     pub(super) fn of_settled(run: &SettledSimulation) -> Weight {
         let all = |ending: LooseEnding| run.runs.iter().all(|run| run.settled.ending == ending);
         let verdict = match run.runs.is_empty() {
             true => Verdict::Unknown,
             false if all(LooseEnding::Fell) => Verdict::Unstable,
-            false if all(LooseEnding::Stood) && !run.laws_differ() => Verdict::Stable,
+            false if all(LooseEnding::Stood) && !run.laws_differ() => match run.margin() {
+                LooseMargin::Balanced => Verdict::Unstable,
+                LooseMargin::Small => Verdict::Marginal,
+                LooseMargin::Enough => Verdict::Stable,
+                LooseMargin::Unknown => Verdict::Unknown,
+            },
             false => Verdict::Unknown,
         };
         Weight::of_verdict(verdict, None, false)

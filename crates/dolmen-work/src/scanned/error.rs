@@ -70,8 +70,8 @@ fn listed_beds(beds: &[(usize, f64)]) -> String {
 sentences! {
     ScanError in "scan.error" {
         StepsWithoutBed { steps } as { steps: listed_steps(steps), allow: heights(steps) } => {
-            en: "the section steps at {steps}, and no bed is there. A tower without one of its beds seems stronger than it is: give these heights with --beds; where the step is within one stone (a moulding, a corbel), with --allow {allow}",
-            ko: "{steps}에서 단면이 바뀌는데 그곳에 접합면이 없다. 접합면을 빠뜨리면 탑이 실제보다 강해 보인다. 이 높이를 --beds에 쓴다. 한 석재 안에서 단면이 바뀌는 곳(몰딩, 받침)이면 --allow {allow}(으)로 쓴다",
+            en: "the section steps at {steps}, and no bed is there. A tower without one of its beds seems stronger than it is: give these heights with --beds; where the step is within one stone (a moulding, a corbel), with --allow {allow}. If the tower leans and its beds with it, turn the scan upright first and give the lean as the tilt of a survey",
+            ko: "{steps}에서 단면이 바뀌는데 그곳에 접합면이 없다. 접합면을 빠뜨리면 탑이 실제보다 강해 보인다. 이 높이를 --beds에 쓴다. 한 석재 안에서 단면이 바뀌는 곳(몰딩, 받침)이면 --allow {allow}(으)로 쓴다. 탑이 접합면과 함께 기울어 있으면 스캔을 먼저 바로 세우고 기울기는 조사의 tilt로 준다",
         },
         BedsBesideSteps { steps, plain_beds } as { steps: listed_steps(steps), beds: listed_beds(plain_beds), allow: heights(steps) } => {
             en: "the section steps at {steps}, and no bed is there; it does not step at bed {beds}. A bed cut beside its step seems stronger than it is: correct the heights of --beds; where the step is within one stone (a moulding, a corbel), give it with --allow {allow}",

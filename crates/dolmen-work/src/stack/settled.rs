@@ -2,7 +2,7 @@
 
 use super::RefusedRun;
 use crate::motion::MotionAnswer;
-use dolmen::blocks::{ContactLaw, LooseEnding, LooseStones};
+use dolmen::blocks::{ContactLaw, LooseEnding, LooseMargin, LooseStones};
 use dolmen::structure::stack::Stack;
 use dolmen_project::Names;
 
@@ -92,6 +92,23 @@ impl SettledSimulation {
         ends || self
             .apart()
             .is_some_and(|apart| apart.distance_m > Self::APART_MOST * apart.of_m)
+    }
+
+    /// How near to motion the stones rest, by the law with the smaller margin.
+    pub fn margin(&self) -> LooseMargin {
+        let least = self.least_margin_g();
+        let mut settled = self.runs.iter().map(|run| &run.settled);
+        match settled.find(|of| of.margin_g.is_none() || of.margin_g == least) {
+            Some(of) => of.margin(),
+            None => LooseMargin::Unknown,
+        }
+    }
+
+    /// The smallest acceleration, over gravity, at which the stones begin to move from their rest; `None` if a law has none.
+    pub fn least_margin_g(&self) -> Option<f64> {
+        let each = self.runs.iter().map(|run| run.settled.margin_g);
+        let all: Option<Vec<f64>> = each.collect();
+        all?.into_iter().min_by(f64::total_cmp)
     }
 
     /// Whether there are runs, and in all of them the stones came to rest.

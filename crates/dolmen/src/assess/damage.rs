@@ -175,17 +175,30 @@ pub fn stack_damage(
     found
 }
 
+impl JointDamage {
+    /// Whether it rocked so far that it is [`DamageState::Severe`] for that alone.
+    pub fn rocked_severely(&self, thresholds: &DamageThresholds) -> bool {
+        self.peak_rocking_ratio >= thresholds.severe_rocking_ratio
+    }
+
+    /// The state by opening and slip, without rocking.
+    pub fn state_by_offset(&self, from: &DamageThresholds) -> DamageState {
+        if self.residual_slip_ratio >= from.severe_offset_ratio {
+            DamageState::Severe
+        } else if self.residual_slip_ratio >= from.offset_ratio || self.residual_slip_m >= from.offset_m {
+            DamageState::Offset
+        } else if self.peak_uplift_m > StackHistory::UPLIFT_LEAST_M || self.peak_slip_m > from.slip_begun_m {
+            DamageState::Begun
+        } else {
+            DamageState::None
+        }
+    }
+}
+
 fn state(found: &JointDamage, from: &DamageThresholds) -> DamageState {
-    if found.residual_slip_ratio >= from.severe_offset_ratio
-        || found.peak_rocking_ratio >= from.severe_rocking_ratio
-    {
-        DamageState::Severe
-    } else if found.residual_slip_ratio >= from.offset_ratio || found.residual_slip_m >= from.offset_m {
-        DamageState::Offset
-    } else if found.peak_uplift_m > StackHistory::UPLIFT_LEAST_M || found.peak_slip_m > from.slip_begun_m {
-        DamageState::Begun
-    } else {
-        DamageState::None
+    match found.rocked_severely(from) {
+        true => DamageState::Severe,
+        false => found.state_by_offset(from),
     }
 }
 

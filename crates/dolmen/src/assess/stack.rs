@@ -11,7 +11,7 @@ use crate::stability::stack::{
     limit_analysis, limit_analysis_undilated, period_of_thumb, rocking_blocks, stack_limits,
     stands_by_limit_analysis, turned_at_rest,
 };
-use crate::structure::stack::Stack;
+use crate::structure::stack::{Sliver, Stack};
 
 /// Options of the check of a stack.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -241,6 +241,7 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
             check.notes.push(StackNote::StrengthFromInside);
         }
     }
+    check.notes.extend(slivers(stack));
     let joints = stack.joints();
     if joints.iter().any(|joint| joint.material.cohesion_pa > 0.0) {
         check.notes.push(StackNote::CohesionCounted);
@@ -259,6 +260,31 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
     }
 }
 
+/// Notes on contacts too narrow to be known.
+fn slivers(stack: &Stack) -> impl Iterator<Item = StackNote> {
+    let by_width = |a: &&Sliver, b: &&Sliver| a.width_m.total_cmp(&b.width_m);
+    let (left_out, carry) = (stack.slivers_left_out(), stack.slivers_that_carry());
+    let widest = left_out
+        .iter()
+        .max_by(by_width)
+        .map(|widest| StackNote::SliversLeftOut {
+            lower: widest.lower,
+            upper: widest.upper,
+            width_m: widest.width_m,
+            contacts: left_out.len(),
+        });
+    let narrowest = carry
+        .iter()
+        .min_by(by_width)
+        .map(|narrowest| StackNote::SliversCarry {
+            lower: narrowest.lower,
+            upper: narrowest.upper,
+            width_m: narrowest.width_m,
+            contacts: carry.len(),
+        });
+    widest.into_iter().chain(narrowest)
+}
+
 /// Note on sliding with every static friction replaced by the kinetic friction, where that is smaller.
 fn note_kinetic_friction(
     stack: &Stack,
@@ -270,9 +296,12 @@ fn note_kinetic_friction(
     };
     // if stones share their load, single joints do not show this
     if check.limits.statically_determinate && check.limits.sliding.is_some() {
-        let sliding = stack_limits(&moving, &options.limits)?.sliding;
-        check.notes.push(StackNote::KineticLess {
-            slides_at_g: sliding.map_or(0.0, |sliding| sliding.threshold.acceleration_g),
+        let limits = stack_limits(&moving, &options.limits)?;
+        check.notes.push(match limits.sliding {
+            Some(sliding) if limits.standing.stands() => StackNote::KineticLess {
+                slides_at_g: sliding.threshold.acceleration_g,
+            },
+            _ => StackNote::KineticFalls,
         });
     }
     Ok(())
@@ -508,7 +537,11 @@ pub(super) fn by_margins(check: &StackCheck) -> Verdict {
                 ..
             }
         );
-        falls_open || *note == StackNote::BondCarries
+        falls_open
+            || matches!(
+                note,
+                StackNote::BondCarries | StackNote::KineticFalls | StackNote::SliversCarry { .. }
+            )
     });
     let is_near = check
         .capacity

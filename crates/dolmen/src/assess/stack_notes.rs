@@ -124,6 +124,28 @@ pub enum StackNote {
         /// Treatment of these joints.
         gaps: Gaps,
     },
+    /// Contacts too narrow to be known from the drawing are left out.
+    SliversLeftOut {
+        /// The body below the widest of them.
+        lower: Body,
+        /// The block above it.
+        upper: usize,
+        /// Its width, m.
+        width_m: f64,
+        /// Number of such contacts.
+        contacts: usize,
+    },
+    /// Stones do not stand without contacts too narrow to be known from the drawing.
+    SliversCarry {
+        /// The body below the narrowest of them.
+        lower: Body,
+        /// The block above it.
+        upper: usize,
+        /// Its width, m.
+        width_m: f64,
+        /// Number of such contacts.
+        contacts: usize,
+    },
     /// Acceleration at which stones that share their load begin to move with the kinetic friction in every joint.
     KineticShared {
         /// The acceleration, over gravity.
@@ -253,6 +275,18 @@ impl fmt::Display for StackNote {
                     Gaps::FallsOpen => "taken as closed; open it does not stand",
                     Gaps::Open { .. } => "left open",
                 }
+            ),
+            StackNote::SliversLeftOut {
+                width_m, contacts, ..
+            } => write!(
+                f,
+                "{contacts} contacts are narrower than the drawing is accurate, the widest {width_m:e} m, and carry nothing"
+            ),
+            StackNote::SliversCarry {
+                width_m, contacts, ..
+            } => write!(
+                f,
+                "stones do not stand without {contacts} contacts narrower than the drawing is accurate, the narrowest {width_m:e} m"
             ),
             StackNote::KineticShared { moves_at_g } => write!(
                 f,

@@ -376,7 +376,7 @@ mod tests {
             vec![(1.0, 5.0), (1.0, 4.0), (1.0, 1.0)],
         ] {
             let exact = by_all_permutations(&points);
-            let found = Unit::of(&[points.clone()]).variance();
+            let found = Unit::of(std::slice::from_ref(&points)).variance();
             assert!(
                 (found - exact).abs() < 1e-12 * exact.max(1.0),
                 "{points:?}: {found} {exact}"

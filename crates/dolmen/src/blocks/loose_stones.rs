@@ -6,6 +6,7 @@ use super::error::BlocksError;
 use super::fall::least_thickness;
 use super::history::{Outcome, Pose, StackHistory};
 use super::hulls::Hull;
+use super::loose_margin::margin_at_rest_g;
 use super::rigid::{Rigid, RigidRunUnder, simulate_rigid_under};
 use super::springs::{Springs, simulate_springs_dragged};
 use crate::signal::GroundMotion;
@@ -64,6 +65,19 @@ impl LooseStone {
     }
 }
 
+/// How near to motion loose stones at rest are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LooseMargin {
+    /// A stone is only balanced: any push topples it.
+    Balanced,
+    /// A stone moves at less than [`LooseStones::MARGINAL_BELOW_G`].
+    Small,
+    /// More.
+    Enough,
+    /// It is not known, or the stones do not rest near their places.
+    Unknown,
+}
+
 /// Loose stones after a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LooseStones {
@@ -75,12 +89,30 @@ pub struct LooseStones {
     pub history: StackHistory,
     /// The stones at their places at the end.
     pub stack: Stack,
+    /// Horizontal acceleration, over gravity, at which stones that rest near their places begin to move: 0 for a stone balanced on a point or an
+    /// edge, infinite if they are wedged; `None` if they do not rest, or it was not found.
+    pub margin_g: Option<f64>,
 }
 
 impl LooseStones {
     /// Rate at which velocities decay while stones settle, 1/s. Our choice: about twice the angular frequency at which stones of half a metre rock,
     /// so that they neither swing nor jump.
     pub const DRAG_PER_S: f64 = 10.0;
+
+    /// Horizontal acceleration, over gravity, below which stones that rest are "marginal", as for a stack.
+    pub const MARGINAL_BELOW_G: f64 = 0.02;
+    /// The same below which a stone is only balanced, a slope of 0.06°. Our choice: no stone lies so in the field.
+    pub const BALANCED_BELOW_G: f64 = 0.001;
+
+    /// How near to motion the stones are.
+    pub fn margin(&self) -> LooseMargin {
+        match self.margin_g {
+            Some(margin_g) if margin_g < Self::BALANCED_BELOW_G => LooseMargin::Balanced,
+            Some(margin_g) if margin_g < Self::MARGINAL_BELOW_G => LooseMargin::Small,
+            Some(_) => LooseMargin::Enough,
+            None => LooseMargin::Unknown,
+        }
+    }
 
     /// The stone with the largest displacement relative to its allowed one, as an index of the blocks.
     pub fn farthest(&self) -> usize {
@@ -214,6 +246,7 @@ fn after(stack: &Stack, history: StackHistory) -> LooseStones {
         stones: stones.collect(),
         history,
         stack: moved,
+        margin_g: None,
     };
     found.ending = match found.history.outcome {
         _ if found.energy_made_ratio() > MADE_MOST => LooseEnding::Unusable,
@@ -227,6 +260,9 @@ fn after(stack: &Stack, history: StackHistory) -> LooseStones {
     let sunk = found.stack.first_sunk();
     if let Some(block) = sunk.filter(|_| found.ending != LooseEnding::Unusable) {
         found.ending = LooseEnding::Sank { block };
+    }
+    if found.ending == LooseEnding::Stood {
+        found.margin_g = margin_at_rest_g(&found.stack);
     }
     found
 }

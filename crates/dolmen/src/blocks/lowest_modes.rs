@@ -11,7 +11,7 @@ use super::assembly::Assembly;
 use super::beside::add_springs_beside;
 use super::block_skyline::{BlockSkyline, SIX};
 use super::bodies::RigidBody;
-use super::matrices::{Closed, Part, add_contacts, add_mass, within_outline};
+use super::matrices::{Part, add_contacts, add_mass, closed_at_rest, within_outline};
 use dolmen_linalg::{LinalgError, Matrix, qr, symmetric_eigen};
 use glam::{DMat3, DVec3};
 
@@ -94,7 +94,7 @@ impl<'a> Inverse<'a> {
     /// `None` if the matrix is singular.
     fn of(assembly: &'a Assembly) -> Option<Self> {
         let mut factors = within_outline(assembly);
-        add_contacts(assembly, Part::Springs, Closed::Pressed, &mut factors);
+        add_contacts(assembly, Part::Springs, closed_at_rest(assembly), &mut factors);
         add_springs_beside(assembly, &mut factors);
         add_mass(assembly, SHIFT, &mut factors);
         factors.factor().then_some(Inverse { assembly, factors })
@@ -198,7 +198,7 @@ mod tests {
         settle(&mut assembly, &stack).unwrap();
         let inverse = Inverse::of(&assembly).unwrap();
         let (full, mass) = (
-            contact_matrix(&assembly, Part::Springs, Closed::Pressed),
+            contact_matrix(&assembly, Part::Springs, closed_at_rest(&assembly)),
             mass_matrix(&assembly),
         );
         let size = full.rows();

@@ -22,6 +22,7 @@ mod frequencies;
 mod history;
 mod hulls;
 mod links;
+mod loose_margin;
 mod loose_stones;
 mod lowest_modes;
 mod matrices;
@@ -73,7 +74,7 @@ pub use factors::{
 };
 pub use frequencies::{StackMode, first_sway, lowest_stack_modes, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, PeakBearing, Pose, RigidEvidence, StackHistory};
-pub use loose_stones::{LooseEnding, LooseStone, LooseStones, settle_loose, shake_loose};
+pub use loose_stones::{LooseEnding, LooseMargin, LooseStone, LooseStones, settle_loose, shake_loose};
 pub use moved_supports::{GaveWay, MovedInTime, SlowGround, SlowMovement, move_supports};
 pub use moving_ground::MovingGround;
 pub use rigid::{Rigid, simulate_rigid};

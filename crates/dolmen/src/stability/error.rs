@@ -80,13 +80,11 @@ impl StabilityError {
         match self {
             Self::Structure(why) => why.did_not_converge(),
             Self::Linalg(why) => why.did_not_converge(),
-            Self::Numeric(_) => true,
+            Self::Numeric(_) | Self::Pressure { .. } | Self::ConicProgramme { .. } => true,
             Self::Option { .. }
             | Self::VerticalAcceleration { .. }
             | Self::Direction { .. }
             | Self::Block { .. }
-            | Self::Pressure { .. }
-            | Self::ConicProgramme { .. }
             | Self::Indeterminate => false,
         }
     }

@@ -14,16 +14,20 @@ use crate::blocks::StackMode;
 use crate::dynamics::correlation_coefficient;
 use crate::stability::stack::{
     DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, OnSoil, Resistance, Shaking, StackLimits,
-    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis_undilated,
+    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis, limit_analysis_undilated,
 };
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
+use std::f64::consts::FRAC_PI_4;
 
 /// Least mass participation, along x and along y, of the modes that are included. Our choice: a thousand smaller ones have a thousandth.
 const MASS_LEAST: f64 = 1e-6;
 /// Largest number of modes that are combined, lowest first; the higher modes move with the ground. Our choice: all modes of a hundred stones on top
 /// of each other.
 const MODES_MOST: usize = 400;
+
+/// Sine of the angle to an axis below which a direction is along it. Our choice.
+const ALONG_AN_AXIS: f64 = 1e-6;
 
 /// Force, N, and moment about the origin, N m.
 type Wrench = [f64; 6];
@@ -116,9 +120,16 @@ impl<'a> ModalDemand<'a> {
             }
         }
         if !is_statically_determinate(self.stack) {
-            let swaying = self.swaying();
-            for (direction, least) in directions.iter().zip(&mut least) {
-                let together = self.together(&swaying, limits, *direction)?;
+            let each = self.each_block();
+            let [along_x, along_y] = [
+                self.along([1.0, 0.0], &each, limits)?,
+                self.along([0.0, 1.0], &each, limits)?,
+            ];
+            let mut any = along_x.min(along_y);
+            for way in self.own_directions(limits)? {
+                any = any.min(self.along(way, &each, limits)?);
+            }
+            for (together, least) in [along_x, along_y, any].into_iter().zip(&mut least) {
                 if together < least.0 {
                     *least = (together, None);
                 }
@@ -131,49 +142,46 @@ impl<'a> ModalDemand<'a> {
         }))
     }
 
-    /// Largest force and moment of every stone over all directions of shaking.
-    fn swaying(&self) -> Vec<SwayingForces> {
+    /// Directions that turn with the stack: that of its least capacity, the diagonals and the one across, without those along x and y.
+    fn own_directions(&self, limits: &StackLimits) -> Result<Vec<[f64; 2]>, AssessError> {
+        let analysis = LimitAnalysis {
+            loads: limits.loads.clone(),
+            ..LimitAnalysis::default()
+        };
+        let LimitAnalysisStatus::Limited(least) = limit_analysis(self.stack, &analysis)?.status else {
+            return Ok(Vec::new());
+        };
+        let from = least.direction[1].atan2(least.direction[0]);
+        let turns = (0..4).map(|turn| (from + f64::from(turn) * FRAC_PI_4).sin_cos());
+        let is_along_an_axis = |[x, y]: &[f64; 2]| x.abs().min(y.abs()) < ALONG_AN_AXIS;
+        let ways = turns.map(|(sin, cos)| [cos, sin]);
+        Ok(ways.filter(|way| !is_along_an_axis(way)).collect())
+    }
+
+    /// Force, and moment about its centroid, of every stone.
+    fn each_block(&self) -> Vec<Combined> {
         let blocks = self.stack.blocks().iter().enumerate();
         let each = blocks.map(|(block, stone)| {
             let centroid = DVec3::from(stone.solid.centroid_m());
-            let combined = self.combined(&[block], |wrench| about(centroid, wrench));
-            let largest = |part: usize| {
-                let mut row = [0.0; 6];
-                row[part] = 1.0;
-                combined.largest(&row, ShakenDirection::Any)
-            };
-            SwayingForces {
-                force_n: [largest(0), largest(1)],
-                moment_n_m: [largest(4), largest(3)],
-            }
+            self.combined(&[block], |wrench| about(centroid, wrench))
         });
         each.collect()
     }
 
-    /// Ratio of capacity to these forces, acting together, by limit analysis.
-    fn together(
-        &self,
-        swaying: &[SwayingForces],
-        limits: &StackLimits,
-        direction: ShakenDirection,
-    ) -> Result<f64, AssessError> {
-        let ways: &[Shaking] = match direction {
-            ShakenDirection::X => &[Shaking::Along([1.0, 0.0]), Shaking::Along([-1.0, 0.0])],
-            ShakenDirection::Y => &[Shaking::Along([0.0, 1.0]), Shaking::Along([0.0, -1.0])],
-            ShakenDirection::Any => &[Shaking::AnyWay],
-        };
+    /// Ratio of capacity to the largest forces along a direction, acting together, by limit analysis; the smaller of both senses.
+    fn along(&self, way: [f64; 2], each: &[Combined], limits: &StackLimits) -> Result<f64, AssessError> {
         // the footing takes the largest share of what overturns it, and less of what moves parts above
         let soil = OnSoil::of(self.stack, &limits.loads)?;
         if !soil.stands() {
             return Ok(0.0);
         }
-        let left = soil.factor();
+        let (left, swaying) = (soil.factor(), swaying(each, way));
         let mut least = f64::INFINITY;
-        for shaking in ways {
+        for way in [way, way.map(|part| -part)] {
             let analysis = LimitAnalysis {
                 loads: limits.loads.clone(),
-                shaking: shaking.clone(),
-                swaying: Some(swaying.to_vec()),
+                shaking: Shaking::Along(way),
+                swaying: Some(swaying.clone()),
                 ..LimitAnalysis::default()
             };
             let found = limit_analysis_undilated(self.stack, &analysis)?.analysis;
@@ -233,6 +241,18 @@ impl<'a> ModalDemand<'a> {
         }
         combined
     }
+}
+
+/// Largest force of every stone along a direction, and largest moment about the axis across it, over all directions of shaking.
+fn swaying(each: &[Combined], [x, y]: [f64; 2]) -> Vec<SwayingForces> {
+    let all = each.iter().map(|combined| {
+        let largest = |row: Wrench| combined.largest(&row, ShakenDirection::Any);
+        SwayingForces {
+            force_n: [largest([x, y, 0.0, 0.0, 0.0, 0.0]); 2],
+            moment_n_m: [largest([0.0, 0.0, 0.0, -y, x, 0.0]); 2],
+        }
+    });
+    all.collect()
 }
 
 /// Products of force and moment, combined over the modes: x with x, x with y, y with y.
@@ -527,5 +547,42 @@ mod tests {
         assert_eq!(x.first, None);
         assert!((x.ratio / y.ratio - 1.0).abs() < 1e-4);
         assert!(any.ratio <= x.ratio * 1.000_001 && any.ratio > 0.5 * x.ratio);
+    }
+
+    /// Two posts, weak along one direction, and a beam: turned in plan they bear the same in any direction.
+    #[test]
+    fn holds_the_ratio_in_any_direction_turns_with_the_stack() {
+        let turned = |yaw_rad: f64| {
+            let (sin, cos) = yaw_rad.sin_cos();
+            let sizes = [
+                ([0.4, 1.0, 2.0], -0.8, 0.0),
+                ([0.4, 1.0, 2.0], 0.8, 0.0),
+                ([2.0, 1.0, 0.5], 0.0, 2.0),
+            ];
+            let blocks = sizes.iter().enumerate().map(|(i, (size, x, z))| Block {
+                name: format!("s{i}"),
+                solid: Solid::cuboid(size[0], size[1], size[2])
+                    .unwrap()
+                    .placed(&Placement {
+                        position_m: [x * cos, x * sin, *z],
+                        yaw_rad,
+                        ..Placement::default()
+                    }),
+                density_kg_m3: 2600.0,
+            });
+            let stack = Stack::new(blocks.collect(), JointMaterial::with_friction(0.9), G).unwrap();
+            let modes = stack_modes(&stack, ContactRule::Four).unwrap();
+            let options = StackCheckOptions::default();
+            let found = stack_against_site(&stack, &options, &site(0.1, None), Some(&modes));
+            found.unwrap().unwrap().rows[2].by_modes.as_ref().unwrap().ratio
+        };
+        let straight = turned(0.0);
+        for yaw_rad in [0.3, std::f64::consts::FRAC_PI_4, 1.2] {
+            let ratio = turned(yaw_rad);
+            assert!(
+                (ratio / straight - 1.0).abs() < 1e-5,
+                "{yaw_rad}: {ratio} {straight}"
+            );
+        }
     }
 }

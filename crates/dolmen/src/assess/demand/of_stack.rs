@@ -81,7 +81,8 @@ impl StackDemandCheck {
 /// static loads press on stones, the stack is also checked without them, and the worse result counts. Along x and y the capacity is that of the limit
 /// analysis, on the soil if there is one. In the modal analysis the joints stay closed and linear until a part
 /// tips or slides. In reality a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the
-/// largest force and moment of every stone act together in a limit analysis, which is conservative. The stack does not amplify the vertical
+/// largest force and moment of every stone act together in a limit analysis, which is conservative; "in any direction" is then the least along x and
+/// y, and along the direction of least capacity, across it and along both diagonals. The stack does not amplify the vertical
 /// acceleration.
 ///
 /// # Source

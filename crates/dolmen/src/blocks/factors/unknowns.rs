@@ -6,7 +6,7 @@ use super::super::bodies::index_of;
 use super::super::contact_points::ContactRule;
 use super::super::error::BlocksError;
 use super::super::matrices::{
-    Closed, Part, SpringsBetween, contact_matrix, mass_matrix, springs_between, springs_of_prop,
+    Part, SpringsBetween, closed_at_rest, contact_matrix, mass_matrix, springs_between, springs_of_prop,
 };
 use super::super::rest::settle;
 use super::result::StiffnessOf;
@@ -45,7 +45,7 @@ pub(super) fn unknowns(
     let mut assembly = Assembly::of(stack, rule);
     settle(&mut assembly, stack)?;
     let (mut groups, mut others): (Vec<Group>, Vec<SpringsBetween>) = (Vec::new(), Vec::new());
-    for springs in springs_between(&assembly, Closed::Pressed) {
+    for springs in springs_between(&assembly, closed_at_rest(&assembly)) {
         let is_none = springs.stiffness.as_slice().iter().all(|entry| *entry == 0.0);
         match joint_between(stack, &springs) {
             _ if is_none => {}
@@ -119,7 +119,7 @@ fn in_one_plane(a: &Joint, b: &Joint) -> bool {
 pub(super) fn resettled_stiffness(stack: &Stack, rule: ContactRule) -> Result<Matrix, BlocksError> {
     let mut assembly = Assembly::of(stack, rule);
     settle(&mut assembly, stack)?;
-    let mut stiffness = contact_matrix(&assembly, Part::Springs, Closed::Pressed);
+    let mut stiffness = contact_matrix(&assembly, Part::Springs, closed_at_rest(&assembly));
     add_springs_beside(&assembly, &mut stiffness);
     Ok(stiffness)
 }

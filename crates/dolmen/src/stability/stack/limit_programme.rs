@@ -23,8 +23,8 @@ const SOUGHT_ROUGH: f64 = 1e-7;
 /// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Our choice; the usual error
 /// is 1e-9.
 const MISSED_MOST: f64 = 1e-6;
-/// Largest overload of a stress block that is left out, over the size of the mechanism. Our choice: the usual error of a solution.
-const OVERLOADED_MOST: f64 = 1e-9;
+/// Largest overload of a stress block that is left out, over the size of the mechanism. Our choice: ten times the usual error of a solution.
+const OVERLOADED_MOST: f64 = 1e-8;
 /// Coefficients (of order 1) below this are rounding errors and are left out. Our choice.
 const ROUNDING: f64 = 1e-13;
 
@@ -70,6 +70,8 @@ pub(super) struct Programme<'a> {
     terms: Terms<'a>,
     chosen: ChosenToes,
     solver: DefaultSolver<f64>,
+    /// Whether the solver has other settings, after an attempt that missed.
+    is_other: bool,
     matrix: CscMatrix<f64>,
     costs: Vec<f64>,
     right: Vec<f64>,
@@ -156,6 +158,7 @@ impl<'a> Programme<'a> {
             terms,
             chosen,
             solver,
+            is_other: false,
             matrix,
             costs: build.costs,
             right,
@@ -167,7 +170,7 @@ impl<'a> Programme<'a> {
     fn renew(&mut self) {
         let build = self.terms.build(&self.chosen);
         (self.solver, self.matrix, self.right) = solver_of(&build, &self.terms.settings);
-        (self.costs, self.cones) = (build.costs, build.cones);
+        (self.costs, self.cones, self.is_other) = (build.costs, build.cones, false);
     }
 
     /// Number of unknown forces and accelerations, with all stress blocks.
@@ -218,9 +221,40 @@ impl<'a> Programme<'a> {
             AccelerationSet::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
             AccelerationSet::Line(way) => self.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
         }
-        let updated = self.solver.update_b(&self.right);
-        updated.map_err(|fault| refused(&fault.to_string()))?;
+        if std::mem::take(&mut self.is_other) {
+            self.solver = self.solver_with(self.terms.settings.clone());
+        } else {
+            let updated = self.solver.update_b(&self.right);
+            updated.map_err(|fault| refused(&fault.to_string()))?;
+        }
         self.solver.solve();
+        let mut found = self.certified(towards);
+        for settings in other_attempts() {
+            if found.is_ok() {
+                return found;
+            }
+            self.is_other = true;
+            self.solver = self.solver_with(settings);
+            self.solver.solve();
+            found = self.certified(towards).or(found);
+        }
+        found
+    }
+
+    fn solver_with(&self, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
+        let none = CscMatrix::zeros((self.matrix.n, self.matrix.n));
+        DefaultSolver::new(
+            &none,
+            &self.costs,
+            &self.matrix,
+            &self.right,
+            &self.cones,
+            settings,
+        )
+    }
+
+    /// The result of the last solution, if its forces and its mechanism agree.
+    fn certified(&self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
         let solution = &self.solver.solution;
         if matches!(
             solution.status,
@@ -243,7 +277,7 @@ impl<'a> Programme<'a> {
         let numbers = x.iter().chain(z).all(|value| value.is_finite());
         if missed > MISSED_MOST || !numbers {
             return Err(refused(&format!(
-                "{:?} after {} steps, its forces and its mechanism miss each other or the balance by {missed:e} of the weight",
+                "{:?} after {} steps, its forces and its mechanism miss each other or the balance by {missed:.1e} of the weight, more than {MISSED_MOST:e}",
                 solution.status, solution.iterations
             )));
         }
@@ -377,6 +411,29 @@ pub(super) fn settings() -> DefaultSettings<f64> {
         tol_feas: SOUGHT,
         ..DefaultSettings::default()
     }
+}
+
+/// Settings of further attempts after a solution that missed by more than [`MISSED_MOST`], each with another path to the same optimum: unscaled, with
+/// a stronger regularization, with shorter steps, with a weaker regularization. The first three meet it where the usual settings miss it by 15 %.
+fn other_attempts() -> [DefaultSettings<f64>; 4] {
+    [
+        DefaultSettings {
+            equilibrate_enable: false,
+            ..settings()
+        },
+        DefaultSettings {
+            static_regularization_constant: 1e-6,
+            ..settings()
+        },
+        DefaultSettings {
+            max_step_fraction: 0.7,
+            ..settings()
+        },
+        DefaultSettings {
+            static_regularization_constant: 1e-10,
+            ..settings()
+        },
+    ]
 }
 
 /// Solver settings for a result of which only the sign matters.

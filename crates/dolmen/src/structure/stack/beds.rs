@@ -1,7 +1,8 @@
 //! Contact of two convex solids: the pair of faces with the largest common patch.
 
-use super::bearing::{Bearing, bearing};
-use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid};
+use super::bearing::{AREA_LEAST, Bearing, OUTLINE_LEAST, bearing};
+use super::slivers::is_sliver;
+use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid, StackError};
 use glam::DVec3;
 
 /// Beds closer than this are in contact, m: surveyed dimensions and dressed stone are not more accurate. Our choice. The remaining gap or wedge is
@@ -15,11 +16,11 @@ const PATCH_LEAST: f64 = 1e-6;
 /// Largest gap between beds of scans in contact, in standard deviations of their noise. Our choice.
 const GAP_NOISE: f64 = 3.0;
 /// Least fraction of a patch that is flat stone in both scans. Our choice: with less, the contact is an edge, or unknown.
-pub(super) const USED_LEAST: f64 = 0.3;
+const USED_LEAST: f64 = 0.3;
 
 /// Least fraction of the area of all patches of two bodies in the largest one, which is their joint. Our choice: with less, the stones touch on a bed
 /// that is not flat, and a single facet does not represent it.
-pub(super) const FACET_LEAST: f64 = 0.98;
+const FACET_LEAST: f64 = 0.98;
 
 pub(super) struct Bed {
     origin: DVec3,
@@ -33,27 +34,29 @@ pub(super) struct Bed {
     scanned: Option<ScannedJoint>,
     /// Radius of curvature where the lower and the upper solid touch with a face that is no bed but part of a curved surface, m.
     radii_m: [Option<f64>; 2],
+    /// Whether the patch is too narrow to be known from the drawing.
+    is_sliver: bool,
 }
 
 impl Bed {
     /// Radius of curvature where the lower and the upper solid touch with a face that is no bed but part of a curved surface, m.
-    pub(super) fn radii_m(&self) -> [Option<f64>; 2] {
+    fn radii_m(&self) -> [Option<f64>; 2] {
         self.radii_m
     }
 
     /// The stone in the patch, if there is too little for bearing and tipping as the hulls do.
-    pub(super) fn hollow(&self) -> Option<Bearing> {
+    fn hollow(&self) -> Option<Bearing> {
         self.hollow
     }
 
     /// The fraction of the patch that is flat stone, if too small for a joint.
-    pub(super) fn barely_used(&self) -> Option<f64> {
+    fn barely_used(&self) -> Option<f64> {
         let used = self.scanned?.used_ratio;
         (used < USED_LEAST).then_some(used)
     }
 
     /// The fraction of all patches in this one, if too small to represent them all.
-    pub(super) fn is_facet(&self) -> Option<f64> {
+    fn is_facet(&self) -> Option<f64> {
         (self.scanned.is_none() && self.share < FACET_LEAST).then_some(self.share)
     }
 
@@ -117,6 +120,7 @@ impl Bed {
             hollow: self.hollow,
             scanned: self.scanned,
             radii_m: self.radii_m,
+            is_sliver: self.is_sliver,
         }
     }
 
@@ -130,6 +134,7 @@ impl Bed {
             material,
             gap_m: self.gap_m,
             scanned: self.scanned,
+            is_sliver: self.is_sliver,
         }
     }
 }
@@ -206,8 +211,9 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
                 - height_over(lower, above, &patch, origin, &axes);
             if gap.abs() <= allowed_m {
                 let lift = axes[2] * height_over(lower, above, &patch, origin, &axes);
+                let is_sliver = is_sliver(&patch, [&low, &high], allowed_m);
                 let mut bed = bed_of(patch, origin + lift, axes);
-                bed.gap_m = gap;
+                (bed.gap_m, bed.is_sliver) = (gap, is_sliver);
                 offer(area, bed, [Some(above), Some(below)]);
             }
         }
@@ -283,5 +289,52 @@ fn bed_of(patch: Polygon, origin: DVec3, axes: [DVec3; 3]) -> Bed {
         hollow: None,
         scanned: None,
         radii_m: [None, None],
+        is_sliver: false,
+    }
+}
+
+/// The refusal of a joint on a rounded face.
+pub(super) fn rounded(upper: &str, lower: &str, rounded: &str, radius_m: f64) -> StackError {
+    StackError::JointRounded {
+        upper: upper.to_owned(),
+        lower: lower.to_owned(),
+        rounded: rounded.to_owned(),
+        radius_m,
+    }
+}
+
+/// Refuses a joint that is not one flat patch of stone on stone, and of scans flat stone for the most part.
+pub(super) fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
+    for (name, radius_m) in [upper, lower].into_iter().zip(bed.radii_m().into_iter().rev()) {
+        if let Some(radius_m) = radius_m {
+            return Err(rounded(upper, lower, name, radius_m));
+        }
+    }
+    if let Some(found) = bed.hollow() {
+        return Err(StackError::JointHollow {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
+            area: found.area,
+            area_allowed: AREA_LEAST,
+            outline: found.outline,
+            outline_allowed: OUTLINE_LEAST,
+        });
+    }
+    if let Some(share) = bed.is_facet() {
+        return Err(StackError::JointFacets {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
+            share,
+            allowed: FACET_LEAST,
+        });
+    }
+    match bed.barely_used() {
+        None => Ok(()),
+        Some(used) => Err(StackError::JointUsed {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
+            used,
+            allowed: USED_LEAST,
+        }),
     }
 }

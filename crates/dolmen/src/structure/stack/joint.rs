@@ -31,6 +31,8 @@ pub struct Joint {
     pub gap_m: f64,
     /// Accuracy from the scans of the stones; `None` if neither is a scan with noise.
     pub scanned: Option<ScannedJoint>,
+    /// Whether the patch is too narrow to be known from the drawing; a stone does not stand without it.
+    pub is_sliver: bool,
 }
 
 /// Accuracy of a joint from scans.

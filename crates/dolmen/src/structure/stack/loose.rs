@@ -3,7 +3,7 @@
 use super::beds::BED_GAP_M;
 use super::overlap::overlap_depth;
 use super::stack_of_blocks::{apart, check_values, overlap};
-use super::{Block, Body, JointMaterial, Stack, StackError};
+use super::{Block, Body, Joint, JointMaterial, Stack, StackError};
 use glam::{DMat3, DVec3};
 
 impl Stack {
@@ -63,6 +63,11 @@ impl Stack {
             block.solid = block.solid.moved(rotation, shift);
         }
         moved
+    }
+
+    /// The same stones with joints, as they touch.
+    pub(crate) fn with_contacts(&self, joints: Vec<Joint>) -> Self {
+        Stack::bare(self.blocks.clone(), joints, self.gravity_m_s2())
     }
 
     /// Contact material of loose stones; `None` for stones with joints.

@@ -146,6 +146,23 @@ impl Polygon {
         Polygon { corners_m }
     }
 
+    /// Width, m: the least distance of two parallel lines with the polygon between them; 0 for fewer than three corners.
+    pub fn width_m(&self) -> f64 {
+        if self.corners_m.len() < 3 {
+            return 0.0;
+        }
+        let edges = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
+        let widths = edges.map(|(&start, &end)| {
+            let along = minus(end, start);
+            let from_edge = self
+                .corners_m
+                .iter()
+                .map(|&corner| cross(along, minus(corner, start)));
+            from_edge.fold(0.0, f64::max) / along[0].hypot(along[1])
+        });
+        widths.fold(f64::INFINITY, f64::min)
+    }
+
     /// Largest extent along an axis, m.
     pub fn size_m(&self) -> f64 {
         let extent = |axis: usize| {
@@ -273,5 +290,22 @@ mod tests {
         assert!((square.reach_m([0.0, 0.0], diagonal) - 2.0_f64.sqrt()).abs() < 1e-14);
         assert!((square.reach_m([1.12, 0.0], [1.0, 0.0]) + 0.12).abs() < 1e-14);
         assert!((square.depth_m([0.75, 0.0]) - 0.25).abs() < 1e-15);
+    }
+
+    #[test]
+    fn exact_width_of_a_triangle_and_a_turned_rectangle() {
+        // height over the longest edge of 3, 4, 5: 12/5
+        let corners_m = vec![[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]];
+        assert!((Polygon { corners_m }.width_m() - 2.4).abs() < 1e-15);
+        let (sin, cos) = 0.7_f64.sin_cos();
+        let turned = |x: f64, y: f64| [cos * x - sin * y, sin * x + cos * y];
+        let corners_m = vec![
+            turned(0.0, 0.0),
+            turned(2.0, 0.0),
+            turned(2.0, 1e-5),
+            turned(0.0, 1e-5),
+        ];
+        assert!((Polygon { corners_m }.width_m() - 1e-5).abs() < 1e-15);
+        assert!(Polygon::default().width_m() == 0.0);
     }
 }

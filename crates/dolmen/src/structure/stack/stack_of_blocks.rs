@@ -1,10 +1,9 @@
 //! The stack: blocks in contact at joints, checked once.
 
-use super::bearing::{AREA_LEAST, OUTLINE_LEAST};
-use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
+use super::beds::{BED_GAP_M, bed, check_used, gap_allowed_m, rounded};
 use super::overlap::overlap_depth;
 use super::wedge::wedge;
-use super::{Body, Joint, JointMaterial, SoilBelow, Solid, StackError, StaticLoad, SupportMovement};
+use super::{Body, Joint, JointMaterial, Sliver, SoilBelow, Solid, StackError, StaticLoad, SupportMovement};
 use glam::DVec3;
 
 /// Largest distance of ties and side supports from the bounds of their blocks, m. Our choice: clamps are on the outside of stones.
@@ -79,6 +78,7 @@ pub struct Stack {
     pub(super) soil: Option<SoilBelow>,
     /// Contact material of loose stones; `None` for stones with joints.
     pub(super) loose: Option<JointMaterial>,
+    pub(super) slivers_left_out: Vec<Sliver>,
     gravity_m_s2: f64,
 }
 
@@ -110,7 +110,7 @@ impl Stack {
     pub fn new(blocks: Vec<Block>, material: JointMaterial, gravity_m_s2: f64) -> Result<Self, StackError> {
         let material = material.checked()?;
         check_values(&blocks, gravity_m_s2)?;
-        let mut joints = Vec::new();
+        let (mut joints, mut refused) = (Vec::new(), Vec::new());
         for (upper, block) in blocks.iter().enumerate() {
             if let Some(bed) = bed(None, &block.solid) {
                 check_used(&bed, "the ground", &block.name)?;
@@ -129,12 +129,17 @@ impl Stack {
                     continue;
                 }
                 if let Some(bed) = bed(Some(&other.solid), &block.solid) {
-                    check_used(&bed, &other.name, &block.name)?;
-                    joints.push(if bed.rises() > -RISE_LEAST {
+                    let used = check_used(&bed, &other.name, &block.name);
+                    let joint = if bed.rises() > -RISE_LEAST {
                         bed.joint(Body::Block(lower), upper, material)
                     } else {
                         bed.turned().joint(Body::Block(upper), lower, material)
-                    });
+                    };
+                    match used {
+                        Err(why) if joint.is_sliver => refused.push((joint.lower, joint.upper, why)),
+                        used => used?,
+                    }
+                    joints.push(joint);
                 } else {
                     let depth = overlap_depth(&other.solid, &block.solid);
                     if depth > BED_GAP_M {
@@ -144,7 +149,20 @@ impl Stack {
             }
         }
         joints.sort_by_key(|joint| (joint.upper, joint.lower));
-        let stack = Stack::bare(blocks, joints, gravity_m_s2).without_joints_through_blocks();
+        let stack = Stack::bare(blocks, joints, gravity_m_s2)
+            .without_joints_through_blocks()
+            .without_slivers();
+        // a sliver that is left out may be no bed at all
+        let is_joint = |lower, upper| {
+            let mut joints = stack.joints.iter();
+            joints.any(|joint| (joint.lower, joint.upper) == (lower, upper))
+        };
+        if let Some((.., why)) = refused
+            .into_iter()
+            .find(|(lower, upper, _)| is_joint(*lower, *upper))
+        {
+            return Err(why);
+        }
         stack.check_carried()?;
         Ok(stack)
     }
@@ -160,6 +178,7 @@ impl Stack {
             static_loads: Vec::new(),
             soil: None,
             loose: None,
+            slivers_left_out: Vec::new(),
             gravity_m_s2,
         }
     }
@@ -428,51 +447,6 @@ impl Stack {
             far_m: found.far_m,
             allowed_m: BED_GAP_M,
         })
-    }
-}
-
-/// A joint must be one flat patch of stone on stone, and of scans flat stone for the most part.
-fn rounded(upper: &str, lower: &str, rounded: &str, radius_m: f64) -> StackError {
-    StackError::JointRounded {
-        upper: upper.to_owned(),
-        lower: lower.to_owned(),
-        rounded: rounded.to_owned(),
-        radius_m,
-    }
-}
-
-fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
-    for (name, radius_m) in [upper, lower].into_iter().zip(bed.radii_m().into_iter().rev()) {
-        if let Some(radius_m) = radius_m {
-            return Err(rounded(upper, lower, name, radius_m));
-        }
-    }
-    if let Some(found) = bed.hollow() {
-        return Err(StackError::JointHollow {
-            upper: upper.to_owned(),
-            lower: lower.to_owned(),
-            area: found.area,
-            area_allowed: AREA_LEAST,
-            outline: found.outline,
-            outline_allowed: OUTLINE_LEAST,
-        });
-    }
-    if let Some(share) = bed.is_facet() {
-        return Err(StackError::JointFacets {
-            upper: upper.to_owned(),
-            lower: lower.to_owned(),
-            share,
-            allowed: FACET_LEAST,
-        });
-    }
-    match bed.barely_used() {
-        None => Ok(()),
-        Some(used) => Err(StackError::JointUsed {
-            upper: upper.to_owned(),
-            lower: lower.to_owned(),
-            used,
-            allowed: USED_LEAST,
-        }),
     }
 }
 
