@@ -280,21 +280,25 @@ fn named_like(database: &mut dyn Database, structure: &str) -> Result<Option<Str
     first_text(database, sql, &[Value::Text(structure.to_owned())])
 }
 
-fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
-    let structure = incoming.structure.to_owned();
-    let named = [Value::Text(structure.clone())];
-    let kind = incoming.kind();
+/// Refuses a project of another kind than those kept of its structure.
+fn refuse_other_kind(database: &mut dyn Database, structure: &str, kind: &str) -> Result<(), StoreError> {
+    let named = [Value::Text(structure.to_owned())];
     let projects: Vec<ProjectRow> = select(database, "where structure = $1 order by hash limit 1", &named)?;
-    if let Some(project) = projects.first()
-        && project.kind != kind
-    {
-        return Err(StoreFault::OtherKind {
-            name: structure,
+    match projects.first() {
+        Some(project) if project.kind != kind => Err(StoreFault::OtherKind {
+            name: structure.to_owned(),
             kept: project.kind.clone(),
             given: kind.to_owned(),
         }
-        .into());
+        .into()),
+        _ => Ok(()),
     }
+}
+
+fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
+    let structure = incoming.structure.to_owned();
+    let named = [Value::Text(structure.clone())];
+    refuse_other_kind(database, &structure, incoming.kind())?;
     let at_us = next(database, act.now_us)?;
     let who = act.who.to_owned();
     let is_new = insert(

@@ -170,6 +170,28 @@ pub(crate) fn widest(lower: &str, upper: String, gap_m: f64) -> Sentence {
     .into()
 }
 
+fn loads_hold(without_g: Option<f64>, with_g: Option<f64>) -> Notes {
+    match (without_g, with_g) {
+        (Some(without), Some(with)) => Notes::LoadsHold {
+            with: in_g(with),
+            without: in_g(without),
+        },
+        _ => Notes::LoadsHoldUp,
+    }
+}
+
+fn gaps_noted(widest: Sentence, joints: usize, gaps: &Gaps) -> Notes {
+    match gaps {
+        Gaps::Closed => Notes::GapClosed { widest, joints },
+        Gaps::FallsOpen => Notes::GapFalls { widest, joints },
+        Gaps::Open { closed_g } => Notes::GapOpen {
+            widest,
+            joints,
+            closed: closed_g.map_or_else(|| Sentence::of_symbol("–"), |at| value(in_g(at))),
+        },
+    }
+}
+
 /// A note of the check.
 pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
     let said = match of {
@@ -195,13 +217,7 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
             analysis: in_g(*analysis_g),
         },
         StackNote::LoadsWithoutMass { with_g, without_g } if is_less(*without_g, *with_g) => {
-            match (*without_g, *with_g) {
-                (Some(without), Some(with)) => Notes::LoadsHold {
-                    with: in_g(with),
-                    without: in_g(without),
-                },
-                _ => Notes::LoadsHoldUp,
-            }
+            loads_hold(*without_g, *with_g)
         }
         StackNote::LoadsWithoutMass { .. } => Notes::LoadsWithoutMass,
         StackNote::AnalysisFalls => Notes::Falls,
@@ -243,16 +259,7 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
             gaps,
         } => {
             let upper = stack.name(Body::Block(*upper)).to_owned();
-            let (widest, joints) = (widest(stack.name(*lower), upper, *gap_m), *joints);
-            match gaps {
-                Gaps::Closed => Notes::GapClosed { widest, joints },
-                Gaps::FallsOpen => Notes::GapFalls { widest, joints },
-                Gaps::Open { closed_g } => Notes::GapOpen {
-                    widest,
-                    joints,
-                    closed: closed_g.map_or_else(|| Sentence::of_symbol("–"), |at| value(in_g(at))),
-                },
-            }
+            gaps_noted(widest(stack.name(*lower), upper, *gap_m), *joints, gaps)
         }
         StackNote::SliversLeftOut {
             lower,

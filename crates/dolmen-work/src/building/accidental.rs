@@ -1,7 +1,6 @@
 //! Accidental torsion: the building under the spectrum of its site with its centres of mass displaced.
 
-use super::StandingBuilding;
-use super::check::spectrum_of;
+use super::site_spectrum::spectrum_of;
 use crate::error::WorkError;
 use crate::told::told_both;
 use dolmen::assess::demand::{ACCIDENTAL_ECCENTRICITY, DriftLimit, SiteDemand, TorsionCode};
@@ -103,39 +102,5 @@ impl AccidentalTorsion {
             | AccidentalTorsion::LeftOut { .. }
             | AccidentalTorsion::Included(_) => false,
         }
-    }
-}
-
-impl StandingBuilding {
-    /// Drift of each storey along x and y that is compared with its limit, m: at the edges of its floor, or at the centre of mass without an
-    /// outline; with the dampers if there are any; the largest with and without accidental torsion. `None` without a response.
-    pub fn judged_drift_m(&self) -> Option<Vec<[f64; 2]>> {
-        let (edges, centres) = match (&self.damped, &self.spectral) {
-            (Some(damped), _) => (&damped.edge_drift_m, &damped.centre_drift_m),
-            (None, Some(alone)) if self.dampers.is_empty() => (&alone.edge_drift_m, &alone.centre_drift_m),
-            _ => return None,
-        };
-        let each = edges.iter().zip(centres).enumerate();
-        let drift = each.map(|(i, (edge, centre))| {
-            let cases = self.accidental.included().into_iter().flat_map(|of| &of.cases);
-            cases.fold(edge.unwrap_or(*centre), |[x, y], case| {
-                let [own_x, own_y] = case.edge_drift_m[i];
-                [x.max(own_x), y.max(own_y)]
-            })
-        });
-        Some(drift.collect())
-    }
-
-    /// Stroke of each damper that is compared with its room, m: the largest with and without accidental torsion; empty without dampers or site.
-    pub fn judged_strokes_m(&self) -> Vec<f64> {
-        let Some(damped) = &self.damped else {
-            return Vec::new();
-        };
-        let each = damped.strokes_m.iter().enumerate();
-        let stroke = each.map(|(i, own)| {
-            let cases = self.accidental.included().into_iter().flat_map(|of| &of.cases);
-            cases.fold(*own, |most, case| most.max(case.strokes_m[i]))
-        });
-        stroke.collect()
     }
 }

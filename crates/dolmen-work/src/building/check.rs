@@ -1,11 +1,10 @@
 //! The check of a building: storeys, modes, dampers, the spectrum of its site.
 
 use super::accidental::{AccidentalTorsion, accidental_torsion};
+use super::site_spectrum::spectrum_of;
 use super::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
-use crate::error::{Within as _, WorkError};
+use crate::error::WorkError;
 use crate::told::told;
-use crate::wrong::Place;
-use dolmen::assess::demand::SiteDemand;
 use dolmen::damper::{
     AttachedDamper, DampedSpectralAnalysis, DisplacedBuilding, damped_modes, damped_spectral_analysis,
 };
@@ -128,18 +127,6 @@ pub(super) struct LargestOfRow {
     pub(super) edge_drift_m: Vec<Option<[f64; 2]>>,
     pub(super) centre_drift_m: Vec<[f64; 2]>,
     points_m: Vec<(String, [f64; 2])>,
-}
-
-/// Along x and y at the period and damping of a mode.
-pub(super) fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkError> {
-    |period_s, damping_ratio| {
-        let read = site.spectrum.acceleration_m_s2(period_s, damping_ratio);
-        let of = || Place::EveryModeCounts {
-            period_s: format!("{period_s:.4}"),
-            damping_percent: format!("{:.3}", 100.0 * damping_ratio),
-        };
-        Ok([read.within(of)?; 2])
-    }
 }
 
 /// The stroke of each damper under the spectrum of the site, m; `None` without a site, or if its spectrum does not apply to these dampers.

@@ -8,6 +8,7 @@ pub(crate) mod loads;
 mod plan_answer;
 pub(crate) mod simulate;
 mod simulation;
+mod site_spectrum;
 pub(crate) mod stiffness;
 pub(crate) mod study;
 pub(crate) mod tune;

@@ -1,7 +1,8 @@
 //! The acceleration at which a stack begins to move, beside one that is checked already.
 
 use super::AssessError;
-use super::stack::{StackCheck, StackCheckOptions, check_stack, governing_joint, sooner};
+use super::least_motion::{governing_joint, sooner};
+use super::stack::{StackCheck, StackCheckOptions, check_stack};
 use super::stack_on_soil::on_soil;
 use crate::stability::stack::{
     Holding, LimitAnalysis, LimitAnalysisStatus, OnSoil, Shaking, limit_analysis, stack_limits,

@@ -1,15 +1,14 @@
 //! Complete check of a stack of stones: whether it stands, the acceleration at which it begins to move, and the demand.
 
 use super::AssessError;
+use super::least_motion::{FirstMotion, first_motion};
 use super::stack_notes::{Gaps, SettleRun, StackNote};
-use super::stack_on_soil::on_soil;
 use crate::stability::Verdict;
 use crate::stability::stack::{
     DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
-    MovementEnding, OnSoil, PeriodOfThumb, RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits,
-    StackLoads, SupportMovementOptions, Threshold, Undilated, compare_with_demand, follow_support_movement,
-    limit_analysis, limit_analysis_undilated, period_of_thumb, rocking_blocks, stack_limits,
-    stands_by_limit_analysis, turned_at_rest,
+    MovementEnding, OnSoil, PeriodOfThumb, RockingBlock, StackDemand, StackLimitStates, StackLimits,
+    StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
+    limit_analysis, period_of_thumb, rocking_blocks, stack_limits, stands_by_limit_analysis, turned_at_rest,
 };
 use crate::structure::stack::{Sliver, Stack};
 
@@ -125,7 +124,7 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         });
     }
     if stack.is_pressed() {
-        let without = first_motion(&stack.clone().without_static_loads(), options)?;
+        let without = first_motion(&stack.clone().without_static_loads(), &options.limits)?;
         check.notes.push(StackNote::LoadsWithoutMass {
             with_g: check.capacity.map(|capacity| capacity.acceleration_g),
             without_g: without.map(|least| least.acceleration_g),
@@ -307,83 +306,9 @@ fn note_kinetic_friction(
     Ok(())
 }
 
-/// The limit analysis of a stack, and the acceleration at which it begins to move.
-struct FirstMotion {
-    found: Undilated,
-    soil: OnSoil,
-    /// The smallest acceleration of single joints.
-    governing: Option<Threshold>,
-    /// The smaller of that and the limit of the analysis.
-    least: Option<Threshold>,
-    /// Acceleration up to which the analysis found balanced forces, over gravity.
-    at_least_g: f64,
-}
-
-impl FirstMotion {
-    fn of(
-        stack: &Stack,
-        options: &StackCheckOptions,
-        limits: &StackLimitStates,
-    ) -> Result<Self, AssessError> {
-        let governing = governing_joint(limits);
-        let shaking = match governing {
-            Some(threshold) if limits.statically_determinate => Shaking::Along(threshold.direction),
-            _ => Shaking::AnyWay,
-        };
-        let soil = OnSoil::of(stack, &options.limits.loads)?;
-        let asked = LimitAnalysis {
-            loads: options.limits.loads.clone(),
-            shaking,
-            holding: Holding::Cohesion,
-            ..LimitAnalysis::default()
-        };
-        let found = limit_analysis_undilated(stack, &asked)?;
-        let mut at_least_g = found.analysis.at_least_g;
-        let overturns = limits.footing.map(|footing| footing.overturns);
-        let mut least = sooner(governing, overturns);
-        if let LimitAnalysisStatus::Limited(threshold) = found.analysis.status {
-            let turned = on_soil(stack, &soil, &asked, &threshold)?;
-            at_least_g = soil
-                .over_gravity(at_least_g, &threshold)
-                .min(turned.acceleration_g);
-            if least.is_none_or(|least| turned.acceleration_m_s2 < least.acceleration_m_s2) {
-                least = Some(turned);
-            }
-        }
-        Ok(FirstMotion {
-            found,
-            soil,
-            governing,
-            least,
-            at_least_g,
-        })
-    }
-
-    /// The acceleration at which it begins to move; `None` if it does not stand, or if nothing moves it.
-    fn capacity(&self) -> Option<Threshold> {
-        match self.found.analysis.status {
-            LimitAnalysisStatus::DoesNotStand => None,
-            // otherwise what the soil turns at rest is more than a joint bears
-            _ => self.least.filter(|least| least.acceleration_m_s2 > 0.0),
-        }
-    }
-}
-
-/// The capacity of [`check_stack`] alone: without its verdict, its notes and moving supports.
-pub(super) fn first_motion(
-    stack: &Stack,
-    options: &StackCheckOptions,
-) -> Result<Option<Threshold>, AssessError> {
-    let limits = stack_limits(stack, &options.limits)?;
-    match limits.standing.stands() {
-        true => Ok(FirstMotion::of(stack, options, &limits)?.capacity()),
-        false => Ok(None),
-    }
-}
-
 /// Limit analysis in addition to the single joints; the smaller result is the capacity.
 fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
-    let motion = FirstMotion::of(stack, options, &check.limits)?;
+    let motion = FirstMotion::of(stack, &options.limits, &check.limits)?;
     check.capacity = motion.capacity();
     let FirstMotion {
         found,
@@ -440,13 +365,6 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         false => by_margins,
     };
     Ok(())
-}
-
-/// The smallest acceleration at which a single joint opens or slides.
-pub(super) fn governing_joint(limits: &StackLimitStates) -> Option<Threshold> {
-    let both = [limits.uplift, limits.sliding].into_iter().flatten();
-    both.map(|governing| governing.threshold)
-        .min_by(|a, b| a.acceleration_m_s2.total_cmp(&b.acceleration_m_s2))
 }
 
 fn joint_bonds(stack: &Stack) -> bool {
@@ -579,12 +497,6 @@ fn loads_at_rest(stack: &Stack, options: &StackCheckOptions) -> Result<StackLoad
         *lateral += gravity_m_s2 * turn;
     }
     Ok(loads)
-}
-
-/// The smaller of two thresholds.
-pub(super) fn sooner(one: Option<Threshold>, other: Option<Threshold>) -> Option<Threshold> {
-    let both = [one, other].into_iter().flatten();
-    both.min_by(|a, b| a.acceleration_m_s2.total_cmp(&b.acceleration_m_s2))
 }
 
 #[cfg(test)]

@@ -289,6 +289,24 @@ fn series_of(history: &History, track: &Track, interval_days: f64) -> ModeSeries
     series
 }
 
+/// A mode before anything explains its readings.
+fn unexplained(history: &History, track: &Track, judged: JudgedMode) -> WatchedMode {
+    WatchedMode {
+        track: track.clone(),
+        weather: None,
+        explained_hz: vec![None; history.surveys.len()],
+        changes: Vec::new(),
+        works: Vec::new(),
+        seen_from_ratio: None,
+        last_off: None,
+        outliers: Vec::new(),
+        strange: Vec::new(),
+        guessed: Vec::new(),
+        judged,
+        fitted: None,
+    }
+}
+
 fn watched_mode(
     history: &History,
     track: &Track,
@@ -301,20 +319,7 @@ fn watched_mode(
         .collect();
     let level = |of: &ModeSeries, work: usize| of.days.iter().position(|day| *day >= history.works[work].day);
     let levels: Vec<usize> = works.iter().filter_map(|work| level(&series, *work)).collect();
-    let mut mode = WatchedMode {
-        track: track.clone(),
-        weather: None,
-        explained_hz: vec![None; history.surveys.len()],
-        changes: Vec::new(),
-        works: Vec::new(),
-        seen_from_ratio: None,
-        last_off: None,
-        outliers: Vec::new(),
-        strange: Vec::new(),
-        guessed: Vec::new(),
-        judged: judge(&series, &levels, alarm)?,
-        fitted: None,
-    };
+    let mut mode = unexplained(history, track, judge(&series, &levels, alarm)?);
     let frost = knows_frost(&series, alarm.frost_below_c);
     let by_temperature = has_temperature(&series);
     let steps = |of: &ModeSeries| {

@@ -2,7 +2,7 @@
 
 use super::by_modes::{ModalDemand, ModalRatio};
 use super::{ShakenDirection, SiteDemand};
-use crate::assess::stack::first_motion;
+use crate::assess::least_motion::first_motion;
 use crate::assess::stack_on_soil::on_soil;
 use crate::assess::{AssessError, StackCheck, StackCheckOptions};
 use crate::blocks::{StackMode, first_sway, sway_amplification};
@@ -77,7 +77,7 @@ impl StackDemandCheck {
 /// [`AssessError`] if the stack cannot be checked. If a table has no value at a period, the results that need it are unknown.
 ///
 /// # Limits
-/// As for [`check_stack`] and [`compare_with_demand`]. The full vertical peak is combined with the full horizontal peak, which is conservative. If
+/// As for [`crate::assess::check_stack`] and [`compare_with_demand`]. The full vertical peak is combined with the full horizontal peak, which is conservative. If
 /// static loads press on stones, the stack is also checked without them, and the worse result counts. Along x and y the capacity is that of the limit
 /// analysis, on the soil if there is one. In the modal analysis the joints stay closed and linear until a part
 /// tips or slides. In reality a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the
@@ -98,9 +98,9 @@ pub fn stack_against_site(
         return Ok(None);
     }
     let known = KnownMotion {
-        with_loads: first_motion(stack, options)?,
+        with_loads: first_motion(stack, &options.limits)?,
         without_loads: match stack.is_pressed() {
-            true => first_motion(&stack.clone().without_static_loads(), options)?,
+            true => first_motion(&stack.clone().without_static_loads(), &options.limits)?,
             false => None,
         },
     };
@@ -277,7 +277,7 @@ fn capacity(
     direction: ShakenDirection,
 ) -> Result<Option<Threshold>, AssessError> {
     let ways = match direction {
-        ShakenDirection::Any => return first_motion(stack, options),
+        ShakenDirection::Any => return first_motion(stack, &options.limits),
         ShakenDirection::X => [[1.0, 0.0], [-1.0, 0.0]],
         ShakenDirection::Y => [[0.0, 1.0], [0.0, -1.0]],
     };

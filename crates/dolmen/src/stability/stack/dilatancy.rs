@@ -133,7 +133,7 @@ fn slides_and_opens(stack: &Stack, mechanism: Option<&Mechanism>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Shaking;
+    use super::super::{Shaking, StackLoads, stands_by_limit_analysis};
     use super::*;
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
@@ -233,14 +233,24 @@ mod tests {
                 .then(a[1].total_cmp(&b[1]))
                 .then(a[0].total_cmp(&b[0]))
         });
-        // without the friction of the joint to the pier, the wall tips alone: b/h = 0.3/1.5
-        for blocks in [blocks, sorted] {
-            let stack = Stack::new(blocks, JointMaterial::with_friction(0.8), 9.806_65).unwrap();
-            let found = limit_analysis_undilated(&stack, &LimitAnalysis::default()).unwrap();
-            let LimitAnalysisStatus::Limited(least) = found.analysis.status else {
-                panic!("no limit");
+        let ways = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
+        let limits = |blocks: Vec<Block>| -> Vec<f64> {
+            let stack = Stack::new(blocks, JointMaterial::with_friction(0.08), 9.806_65).unwrap();
+            let of = |way: [f64; 2]| {
+                let options = LimitAnalysis {
+                    shaking: Shaking::Along(way),
+                    ..LimitAnalysis::default()
+                };
+                assert!(stands_by_limit_analysis(&stack, &StackLoads::default(), way).unwrap());
+                limit_g(&limit_analysis(&stack, &options).unwrap()).unwrap()
             };
-            assert!((least.acceleration_g - 0.2).abs() < 1e-5, "{least:?}");
+            ways.map(of).to_vec()
+        };
+        let (given, sorted) = (limits(blocks), limits(sorted));
+        // away from the pier the stones slide at μ
+        assert!((given[1] - 0.08).abs() < 1e-6, "{given:?}");
+        for (one, other) in given.iter().zip(&sorted) {
+            assert!((one - other).abs() < 1e-6, "{given:?} {sorted:?}");
         }
     }
 }

@@ -9,7 +9,8 @@
 //! | A_most | `ACCELERATION_MOST` | upper bound of the search | – |
 
 use super::chosen_toes::ChosenToes;
-use super::limit_pushes::{Column, Push};
+use super::limit_build::Build;
+use super::limit_pushes::Push;
 use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -23,8 +24,8 @@ const SOUGHT_ROUGH: f64 = 1e-7;
 /// Largest accepted error of the force balance, of the cones and of the gap between both bounds, over the weight. Our choice; the usual error
 /// is 1e-9.
 const MISSED_MOST: f64 = 1e-6;
-/// Largest overload of a stress block that is left out, over the size of the mechanism. Our choice: ten times the usual error of a solution.
-const OVERLOADED_MOST: f64 = 1e-8;
+/// Largest overload of a stress block that is left out, over the size of the mechanism. Our choice: the usual error of a solution.
+const OVERLOADED_MOST: f64 = 1e-9;
 /// Coefficients (of order 1) below this are rounding errors and are left out. Our choice.
 const ROUNDING: f64 = 1e-13;
 
@@ -488,94 +489,6 @@ pub(super) fn least_pull(
     }
     let gains = -dot(&build.costs, &solution.x);
     Ok((gains > MISSED_MOST).then(|| solution.x[..rows].to_vec()))
-}
-
-struct Build {
-    columns: Vec<Column>,
-    costs: Vec<f64>,
-    cones: Vec<SupportedConeT<f64>>,
-    next: usize,
-}
-
-impl Build {
-    /// Adds the forces of a push; of its stress blocks, those that are chosen.
-    fn push(&mut self, push: &Push, chosen: &[usize]) {
-        match push {
-            Push::Cone(parts) => {
-                for part in parts {
-                    self.row(part);
-                }
-                self.cones.push(SupportedConeT::SecondOrderConeT(3));
-            }
-            Push::Normal(part) => {
-                self.row(part);
-                self.cones.push(SupportedConeT::NonnegativeConeT(1));
-            }
-            Push::Toes(toes) => {
-                // the rate of crushing of the joint, weighted by its whole capacity
-                self.bounded(1.0);
-                self.cones.push(SupportedConeT::NonnegativeConeT(1));
-                let variable = self.columns.len() - 1;
-                for toe in chosen.iter().map(|&toe| &toes[toe]) {
-                    self.columns[variable].push((self.next, -toe.share));
-                    for part in &toe.parts {
-                        self.row(part);
-                    }
-                    self.cones.push(SupportedConeT::SecondOrderConeT(3));
-                }
-            }
-            Push::Disc(parts, strength) => {
-                if strength.is_finite() {
-                    self.bounded(*strength);
-                }
-                for part in parts {
-                    self.row(part);
-                }
-                self.cones.push(if strength.is_finite() {
-                    SupportedConeT::SecondOrderConeT(3)
-                } else {
-                    SupportedConeT::ZeroConeT(2)
-                });
-            }
-            Push::Pull(part, strength) => {
-                if strength.is_finite() {
-                    self.bounded(*strength);
-                    let variable = self.columns.len() - 1;
-                    self.columns[variable].push((self.next, -1.0));
-                }
-                self.row(part);
-                let rows = if strength.is_finite() { 2 } else { 1 };
-                self.cones.push(SupportedConeT::NonnegativeConeT(rows));
-            }
-        }
-    }
-
-    /// Adds a row for one component of force.
-    fn row(&mut self, part: &Column) {
-        for &(row, value) in part {
-            self.columns[row].push((self.next, -value));
-        }
-        self.next += 1;
-    }
-
-    /// Adds a row and a variable, the slip, which is weighted by its strength.
-    fn bounded(&mut self, strength: f64) {
-        self.costs.push(strength);
-        self.columns.push(vec![(self.next, -1.0)]);
-        self.next += 1;
-    }
-
-    fn matrix(&self) -> CscMatrix<f64> {
-        let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
-        for column in &self.columns {
-            for &(row, value) in column {
-                rows.push(row);
-                values.push(value);
-            }
-            starts.push(rows.len());
-        }
-        CscMatrix::new(self.next, self.columns.len(), starts, rows, values)
-    }
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

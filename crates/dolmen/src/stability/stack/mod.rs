@@ -12,6 +12,7 @@ mod half_plane;
 mod limit_acts;
 mod limit_along;
 mod limit_analysis;
+mod limit_build;
 mod limit_mechanism;
 mod limit_near;
 mod limit_options;

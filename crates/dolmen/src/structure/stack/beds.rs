@@ -1,7 +1,6 @@
 //! Contact of two convex solids: the pair of faces with the largest common patch.
 
 use super::bearing::{AREA_LEAST, Bearing, OUTLINE_LEAST, bearing};
-use super::slivers::is_sliver;
 use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid, StackError};
 use glam::DVec3;
 
@@ -13,6 +12,9 @@ const PARALLEL: f64 = 0.996_194_7;
 /// Patches smaller than this fraction of the smaller face are only contact at an edge or corner. Our choice.
 const PATCH_LEAST: f64 = 1e-6;
 
+/// A contact is a sliver if it is narrower than the tolerance of drawings, [`BED_GAP_M`], and than this fraction of the narrower of
+/// its two faces. Our choice: in small stones and models smaller contacts are known.
+const SLIVER: f64 = 0.05;
 /// Largest gap between beds of scans in contact, in standard deviations of their noise. Our choice.
 const GAP_NOISE: f64 = 3.0;
 /// Least fraction of a patch that is flat stone in both scans. Our choice: with less, the contact is an edge, or unknown.
@@ -137,6 +139,12 @@ impl Bed {
             is_sliver: self.is_sliver,
         }
     }
+}
+
+/// Whether a patch between two faces is a sliver, with the tolerance of the drawing, m.
+fn is_sliver(patch: &Polygon, faces: [&Polygon; 2], tolerance_m: f64) -> bool {
+    let narrower_m = faces[0].width_m().min(faces[1].width_m());
+    patch.width_m() < tolerance_m.min(SLIVER * narrower_m)
 }
 
 /// Two unit vectors in the plane of a normal, the first as near to x as possible, so that (first, second, normal) is right-handed.

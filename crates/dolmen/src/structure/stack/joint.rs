@@ -45,3 +45,24 @@ pub struct ScannedJoint {
     /// Standard deviation of the vertices from their fitted planes, m: the larger value of both stones.
     pub roughness_m: f64,
 }
+
+/// A contact that is too narrow to be known from the drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sliver {
+    /// The lower body.
+    pub lower: Body,
+    /// The upper block.
+    pub upper: usize,
+    /// Its width, m.
+    pub width_m: f64,
+}
+
+impl Sliver {
+    pub(super) fn of(joint: &Joint) -> Self {
+        Sliver {
+            lower: joint.lower,
+            upper: joint.upper,
+            width_m: joint.patch.width_m(),
+        }
+    }
+}

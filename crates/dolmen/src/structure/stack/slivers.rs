@@ -1,40 +1,10 @@
 //! Slivers: contacts narrower than drawings and surveys are accurate, which may not exist.
 
-use super::{Block, Body, Joint, Polygon, Stack};
+use super::{Block, Body, Joint, Polygon, Sliver, Stack};
 use glam::DVec3;
 
-/// A contact is a sliver if it is narrower than the tolerance of drawings, [`BED_GAP_M`](super::BED_GAP_M), and than this fraction of the narrower of
-/// its two faces. Our choice: in small stones and models smaller contacts are known.
-const SLIVER: f64 = 0.05;
 /// Least rise of the normal of a joint that a stone stands on. Our choice.
 const LEVEL: f64 = 0.5;
-
-/// A contact that is too narrow to be known from the drawing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sliver {
-    /// The lower body.
-    pub lower: Body,
-    /// The upper block.
-    pub upper: usize,
-    /// Its width, m.
-    pub width_m: f64,
-}
-
-impl Sliver {
-    pub(super) fn of(joint: &Joint) -> Self {
-        Sliver {
-            lower: joint.lower,
-            upper: joint.upper,
-            width_m: joint.patch.width_m(),
-        }
-    }
-}
-
-/// Whether a patch between two faces is a sliver, with the tolerance of the drawing, m.
-pub(super) fn is_sliver(patch: &Polygon, faces: [&Polygon; 2], tolerance_m: f64) -> bool {
-    let narrower_m = faces[0].width_m().min(faces[1].width_m());
-    patch.width_m() < tolerance_m.min(SLIVER * narrower_m)
-}
 
 impl Stack {
     /// The slivers that are left out because both stones stand on wider beds, in the order of the joints.
