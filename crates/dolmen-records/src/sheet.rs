@@ -1,5 +1,6 @@
 //! Tables of stones and storeys: XLSX, ODS and CSV to rows of cells with their references.
 
+use crate::number::parse_cell;
 use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError, unreadable};
 use crate::sheet_limits::{refuse_bomb, refuse_far, refuse_repeats, too_many};
 use crate::text_code::decoded;
@@ -334,10 +335,10 @@ fn by_decimal_commas(mut reader: csv::Reader<&[u8]>) -> bool {
 
 /// The number in a cell with one decimal comma.
 fn decimal_comma(field: &str) -> Option<f64> {
-    let is_of_number = |sign: char| sign.is_ascii_digit() || matches!(sign, ',' | '-' | '+' | 'e' | 'E');
-    let is_one = field.matches(',').count() == 1 && field.chars().all(is_of_number);
-    let number = field.replace(',', ".").parse::<f64>().ok();
-    number.filter(|number| is_one && number.is_finite())
+    let number = parse_cell(field.as_bytes(), b',').filter(|_| field.matches(',').count() == 1);
+    number
+        .map(|number| number.value)
+        .filter(|value| value.is_finite())
 }
 
 fn has_leading_zero(field: &str) -> bool {

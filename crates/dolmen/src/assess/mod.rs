@@ -10,6 +10,7 @@ mod first_motion;
 mod fragility;
 mod frame;
 mod intensity;
+mod kinetic_friction;
 mod least_motion;
 mod loads_on_soil;
 mod one_stone;

@@ -1,16 +1,18 @@
 //! Complete check of a stack of stones: whether it stands, the acceleration at which it begins to move, and the demand.
 
 use super::AssessError;
+use super::kinetic_friction;
 use super::least_motion::{FirstMotion, first_motion};
 use super::stack_notes::{Gaps, SettleRun, StackNote};
+use crate::blocks::LooseStones;
 use crate::stability::Verdict;
 use crate::stability::stack::{
-    DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
-    MovementEnding, OnSoil, PeriodOfThumb, RockingBlock, StackDemand, StackLimitStates, StackLimits,
-    StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
-    limit_analysis, period_of_thumb, rocking_blocks, stack_limits, stands_by_limit_analysis, turned_at_rest,
+    DemandComparison, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports, MovementEnding, PeriodOfThumb,
+    RockingBlock, StackDemand, StackLimitStates, StackLimits, StackLoads, SupportMovementOptions, Threshold,
+    compare_with_demand, follow_support_movement, period_of_thumb, rocking_blocks, stack_limits,
+    stands_by_limit_analysis, turned_at_rest,
 };
-use crate::structure::stack::{Sliver, Stack};
+use crate::structure::stack::Stack;
 
 /// Options of the check of a stack.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -80,9 +82,8 @@ impl Crushing {
 
 /// Relative reduction of the capacity from which crushing governs. Our choice: less than the uncertainty of the dimensions.
 const CRUSHING_COUNTS: f64 = 0.05;
-/// Horizontal acceleration, over gravity, below which a stack that stands is "marginal": a tilt of the ground of 1.1°, which a
-/// survey can miss. Our choice.
-pub const MARGINAL_BELOW_G: f64 = 0.02;
+/// Horizontal acceleration, over gravity, below which a stack that stands is "marginal", as [`LooseStones::MARGINAL_BELOW_G`].
+pub const MARGINAL_BELOW_G: f64 = LooseStones::MARGINAL_BELOW_G;
 /// Fraction of the friction with which equilibrium must still be possible; otherwise friction carries. Our choice: a bed inclined by
 /// 3.4° needs a tenth of the usual 0.6, an arch a third and more.
 const FRICTION_SPARE: f64 = 0.1;
@@ -97,7 +98,7 @@ const BETWEEN: f64 = 1e-3;
 /// [`AssessError`] for options out of their range.
 ///
 /// # Limits
-/// As for [`stack_limits`] and [`limit_analysis`]. The capacity is the onset of rocking or sliding, not collapse. It does not include
+/// As for [`stack_limits`] and [`limit_analysis`](crate::stability::stack::limit_analysis). The capacity is the onset of rocking or sliding, not collapse. It does not include
 /// ties; cohesion resists sliding.
 ///
 /// # Example
@@ -178,7 +179,11 @@ fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         limits,
     };
     note_what_is_left_out(stack, options, &mut check);
-    note_kinetic_friction(stack, options, &mut check)?;
+    check.notes.extend(kinetic_friction::of_single_joints(
+        stack,
+        &options.limits,
+        &check.limits,
+    )?);
     if check.limits.standing.stands() {
         analyse(stack, options, &mut check)?;
     }
@@ -240,7 +245,7 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
             check.notes.push(StackNote::StrengthFromInside);
         }
     }
-    check.notes.extend(slivers(stack));
+    check.notes.extend(StackNote::of_slivers(stack));
     let joints = stack.joints();
     if joints.iter().any(|joint| joint.material.cohesion_pa > 0.0) {
         check.notes.push(StackNote::CohesionCounted);
@@ -257,53 +262,6 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
     if options.demand.is_some_and(|demand| demand.spectral.is_none()) {
         check.notes.push(StackNote::PeriodUnknown);
     }
-}
-
-/// Notes on contacts too narrow to be known.
-fn slivers(stack: &Stack) -> impl Iterator<Item = StackNote> {
-    let by_width = |a: &&Sliver, b: &&Sliver| a.width_m.total_cmp(&b.width_m);
-    let (left_out, carry) = (stack.slivers_left_out(), stack.slivers_that_carry());
-    let widest = left_out
-        .iter()
-        .max_by(by_width)
-        .map(|widest| StackNote::SliversLeftOut {
-            lower: widest.lower,
-            upper: widest.upper,
-            width_m: widest.width_m,
-            contacts: left_out.len(),
-        });
-    let narrowest = carry
-        .iter()
-        .min_by(by_width)
-        .map(|narrowest| StackNote::SliversCarry {
-            lower: narrowest.lower,
-            upper: narrowest.upper,
-            width_m: narrowest.width_m,
-            contacts: carry.len(),
-        });
-    widest.into_iter().chain(narrowest)
-}
-
-/// Note on sliding with every static friction replaced by the kinetic friction, where that is smaller.
-fn note_kinetic_friction(
-    stack: &Stack,
-    options: &StackCheckOptions,
-    check: &mut StackCheck,
-) -> Result<(), AssessError> {
-    let Some(moving) = with_kinetic_friction(stack)? else {
-        return Ok(());
-    };
-    // if stones share their load, single joints do not show this
-    if check.limits.statically_determinate && check.limits.sliding.is_some() {
-        let limits = stack_limits(&moving, &options.limits)?;
-        check.notes.push(match limits.sliding {
-            Some(sliding) if limits.standing.stands() => StackNote::KineticLess {
-                slides_at_g: sliding.threshold.acceleration_g,
-            },
-            _ => StackNote::KineticFalls,
-        });
-    }
-    Ok(())
 }
 
 /// Limit analysis in addition to the single joints; the smaller result is the capacity.
@@ -349,7 +307,11 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
     if found.is_upper_bound && !check.limits.statically_determinate {
         check.notes.push(StackNote::UpperBound);
     }
-    note_kinetic_friction_shared(stack, options, check)?;
+    check.notes.extend(kinetic_friction::of_shared_loads(
+        stack,
+        &options.limits,
+        &check.limits,
+    )?);
     // forces that balance the weight exist: it stands
     let carries = !check.limits.statically_determinate && friction_carries(stack, options, check)?;
     if carries {
@@ -379,49 +341,6 @@ fn bond_carries(stack: &Stack, options: &StackCheckOptions, check: &StackCheck) 
     let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
     let loads = loads_at_rest(stack, options)?;
     Ok(!stands_by_limit_analysis(stack, &loads, direction)?)
-}
-
-/// If stones share their load: limit analysis with the kinetic friction in every joint, because a joint that has slid keeps it.
-fn note_kinetic_friction_shared(
-    stack: &Stack,
-    options: &StackCheckOptions,
-    check: &mut StackCheck,
-) -> Result<(), AssessError> {
-    if check.limits.statically_determinate {
-        return Ok(());
-    }
-    let Some(moving) = with_kinetic_friction(stack)? else {
-        return Ok(());
-    };
-    let analysis = LimitAnalysis {
-        loads: options.limits.loads.clone(),
-        holding: Holding::Cohesion,
-        ..LimitAnalysis::default()
-    };
-    let note = match limit_analysis(&moving, &analysis)?.status {
-        LimitAnalysisStatus::DoesNotStand => StackNote::KineticFalls,
-        LimitAnalysisStatus::Unlimited => return Ok(()),
-        LimitAnalysisStatus::Limited(threshold) => StackNote::KineticShared {
-            moves_at_g: OnSoil::of(stack, &options.limits.loads)?
-                .threshold(&threshold)
-                .acceleration_g,
-        },
-    };
-    check.notes.push(note);
-    Ok(())
-}
-
-/// The stack with the kinetic friction in every joint; `None` if it is smaller in no joint.
-fn with_kinetic_friction(stack: &Stack) -> Result<Option<Stack>, AssessError> {
-    let mut moving = stack.clone();
-    let mut less = false;
-    for (index, joint) in stack.joints().iter().enumerate() {
-        let mut material = joint.material;
-        less |= material.friction_kinetic < material.friction_static;
-        material.friction_static = material.friction_kinetic;
-        moving = moving.with_material(index, material)?;
-    }
-    Ok(less.then_some(moving))
 }
 
 /// The verdict, modified by the result for moving supports.
@@ -502,7 +421,7 @@ fn loads_at_rest(stack: &Stack, options: &StackCheckOptions) -> Result<StackLoad
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stability::stack::{DemandVerdict, SpectralDemand};
+    use crate::stability::stack::{DemandVerdict, OnSoil, SpectralDemand};
     use crate::structure::stack::{Block, JointMaterial, Placement, SoilBelow, Solid};
 
     /// Boxes [width, depth, height] and the centre of the base of each.

@@ -1,7 +1,7 @@
 //! Notes on the check of a stack, and the result of its run under its own weight.
 
 use crate::blocks::BlocksError;
-use crate::structure::stack::Body;
+use crate::structure::stack::{Body, Sliver, Stack};
 use std::fmt;
 
 /// Result of a run of a stack under its own weight.
@@ -168,6 +168,33 @@ pub enum StackNote {
     TiesLeftOut,
     /// The spectrum for the demand has no value at the first period.
     PeriodUnknown,
+}
+
+impl StackNote {
+    /// Notes on contacts too narrow to be known.
+    pub(super) fn of_slivers(stack: &Stack) -> impl Iterator<Item = StackNote> {
+        let by_width = |a: &&Sliver, b: &&Sliver| a.width_m.total_cmp(&b.width_m);
+        let (left_out, carry) = (stack.slivers_left_out(), stack.slivers_that_carry());
+        let widest = left_out
+            .iter()
+            .max_by(by_width)
+            .map(|widest| StackNote::SliversLeftOut {
+                lower: widest.lower,
+                upper: widest.upper,
+                width_m: widest.width_m,
+                contacts: left_out.len(),
+            });
+        let narrowest = carry
+            .iter()
+            .min_by(by_width)
+            .map(|narrowest| StackNote::SliversCarry {
+                lower: narrowest.lower,
+                upper: narrowest.upper,
+                width_m: narrowest.width_m,
+                contacts: carry.len(),
+            });
+        widest.into_iter().chain(narrowest)
+    }
 }
 
 impl fmt::Display for StackNote {

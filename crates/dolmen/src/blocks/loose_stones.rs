@@ -99,7 +99,8 @@ impl LooseStones {
     /// so that they neither swing nor jump.
     pub const DRAG_PER_S: f64 = 10.0;
 
-    /// Horizontal acceleration, over gravity, below which stones that rest are "marginal", as for a stack.
+    /// Horizontal acceleration, over gravity, below which stones that rest are "marginal": a tilt of the ground of 1.1°, which a survey can miss. Our
+    /// choice.
     pub const MARGINAL_BELOW_G: f64 = 0.02;
     /// The same below which a stone is only balanced, a slope of 0.06°. Our choice: no stone lies so in the field.
     pub const BALANCED_BELOW_G: f64 = 0.001;

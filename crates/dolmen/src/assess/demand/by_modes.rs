@@ -14,7 +14,7 @@ use crate::blocks::StackMode;
 use crate::dynamics::correlation_coefficient;
 use crate::stability::stack::{
     DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, OnSoil, Resistance, Shaking, StackLimits,
-    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis, limit_analysis_undilated,
+    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis_undilated,
 };
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
@@ -104,8 +104,12 @@ impl<'a> ModalDemand<'a> {
         })
     }
 
-    /// Capacity under shaking along x, along y, and in any direction.
-    pub(super) fn ratios(&self, limits: &StackLimits) -> Result<[ModalRatio; 3], AssessError> {
+    /// Capacity under shaking along x, along y, and in any direction. `weakest` is the direction in which the stack begins to move, if one moves it.
+    pub(super) fn ratios(
+        &self,
+        limits: &StackLimits,
+        weakest: Option<[f64; 2]>,
+    ) -> Result<[ModalRatio; 3], AssessError> {
         let directions = [ShakenDirection::X, ShakenDirection::Y, ShakenDirection::Any];
         let mut least = directions.map(|_| (f64::INFINITY, None));
         for cut in cut_resistances(self.stack, limits)? {
@@ -126,7 +130,7 @@ impl<'a> ModalDemand<'a> {
                 self.along([0.0, 1.0], &each, limits)?,
             ];
             let mut any = along_x.min(along_y);
-            for way in self.own_directions(limits)? {
+            for way in weakest.into_iter().flat_map(turned_with) {
                 any = any.min(self.along(way, &each, limits)?);
             }
             for (together, least) in [along_x, along_y, any].into_iter().zip(&mut least) {
@@ -140,22 +144,6 @@ impl<'a> ModalDemand<'a> {
             first,
             verdict: DemandVerdict::of_ratio(ratio),
         }))
-    }
-
-    /// Directions that turn with the stack: that of its least capacity, the diagonals and the one across, without those along x and y.
-    fn own_directions(&self, limits: &StackLimits) -> Result<Vec<[f64; 2]>, AssessError> {
-        let analysis = LimitAnalysis {
-            loads: limits.loads.clone(),
-            ..LimitAnalysis::default()
-        };
-        let LimitAnalysisStatus::Limited(least) = limit_analysis(self.stack, &analysis)?.status else {
-            return Ok(Vec::new());
-        };
-        let from = least.direction[1].atan2(least.direction[0]);
-        let turns = (0..4).map(|turn| (from + f64::from(turn) * FRAC_PI_4).sin_cos());
-        let is_along_an_axis = |[x, y]: &[f64; 2]| x.abs().min(y.abs()) < ALONG_AN_AXIS;
-        let ways = turns.map(|(sin, cos)| [cos, sin]);
-        Ok(ways.filter(|way| !is_along_an_axis(way)).collect())
     }
 
     /// Force, and moment about its centroid, of every stone.
@@ -241,6 +229,15 @@ impl<'a> ModalDemand<'a> {
         }
         combined
     }
+}
+
+/// Directions that turn with the stack: the weakest one, the diagonals and the one across, without those along x and y.
+fn turned_with([x, y]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let from = y.atan2(x);
+    let ways = (0..4).map(move |turn| (from + f64::from(turn) * FRAC_PI_4).sin_cos());
+    let is_along_an_axis = |[x, y]: &[f64; 2]| x.abs().min(y.abs()) < ALONG_AN_AXIS;
+    ways.map(|(sin, cos)| [cos, sin])
+        .filter(move |way| !is_along_an_axis(way))
 }
 
 /// Largest force of every stone along a direction, and largest moment about the axis across it, over all directions of shaking.
@@ -484,7 +481,7 @@ mod tests {
         let found = ModalDemand::new(&stack, &modes, &site, ground).unwrap();
         let (known, joint) = in_its_plane(&site, ground);
         assert_eq!(joint, 5);
-        for ratio in found.ratios(&StackLimits::default()).unwrap() {
+        for ratio in found.ratios(&StackLimits::default(), None).unwrap() {
             assert!(
                 (ratio.ratio / known - 1.0).abs() < 1e-4,
                 "{} {known}",
@@ -526,7 +523,7 @@ mod tests {
         let rigid = dot(&combined.rigid[0], &moment);
         let height = 4.0 + 0.45;
         assert!((rigid / (2600.0 * 0.04 * 0.9 * height) - 1.0).abs() < 1e-12);
-        let ratio = &found.ratios(&StackLimits::default()).unwrap()[2];
+        let ratio = &found.ratios(&StackLimits::default(), None).unwrap()[2];
         assert!(ratio.ratio <= 2.0 / 9.0 * G * (1.0 + 1e-12), "{}", ratio.ratio);
     }
 
@@ -543,7 +540,7 @@ mod tests {
         let (stack, site) = (boxes(&sizes, &at), site(0.1, Some(0.0)));
         let modes = stack_modes(&stack, ContactRule::Four).unwrap();
         let found = ModalDemand::new(&stack, &modes, &site, 1.0).unwrap();
-        let [x, y, any] = found.ratios(&StackLimits::default()).unwrap();
+        let [x, y, any] = found.ratios(&StackLimits::default(), None).unwrap();
         assert_eq!(x.first, None);
         assert!((x.ratio / y.ratio - 1.0).abs() < 1e-4);
         assert!(any.ratio <= x.ratio * 1.000_001 && any.ratio > 0.5 * x.ratio);

@@ -199,7 +199,8 @@ fn against_site(
     if let Some(modes) = modes.filter(|_| !weightless)
         && let Ok(demand) = ModalDemand::new(stack, modes, site, peak)
     {
-        by_modes = demand.ratios(&lifted.limits)?.map(Some);
+        let weakest = any_way.map(|threshold| threshold.direction);
+        by_modes = demand.ratios(&lifted.limits, weakest)?.map(Some);
     }
     let mut rows = Vec::with_capacity(3);
     for ((direction, spectral, amplification), by_modes) in [

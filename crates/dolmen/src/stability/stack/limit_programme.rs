@@ -73,10 +73,37 @@ pub(super) struct Programme<'a> {
     solver: DefaultSolver<f64>,
     /// Whether the solver has other settings, after an attempt that missed.
     is_other: bool,
+    conic: Conic,
+}
+
+/// The conic programme as the solver takes it: minimise costs·x with right − A x in the cones.
+struct Conic {
     matrix: CscMatrix<f64>,
     costs: Vec<f64>,
     right: Vec<f64>,
     cones: Vec<SupportedConeT<f64>>,
+}
+
+impl Conic {
+    fn of(build: Build) -> Self {
+        Conic {
+            matrix: build.matrix(),
+            right: vec![0.0; build.next],
+            costs: build.costs,
+            cones: build.cones,
+        }
+    }
+
+    fn solver(&self, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
+        let none = CscMatrix::zeros((self.matrix.n, self.matrix.n));
+        let Conic {
+            matrix,
+            costs,
+            right,
+            cones,
+        } = self;
+        DefaultSolver::new(&none, costs, matrix, right, cones, settings)
+    }
 }
 
 /// What a programme is built from.
@@ -131,52 +158,30 @@ impl Terms<'_> {
     }
 }
 
-fn solver_of(
-    build: &Build,
-    settings: &DefaultSettings<f64>,
-) -> (DefaultSolver<f64>, CscMatrix<f64>, Vec<f64>) {
-    let right = vec![0.0; build.next];
-    let matrix = build.matrix();
-    let none = CscMatrix::zeros((matrix.n, matrix.n));
-    let solver = DefaultSolver::new(
-        &none,
-        &build.costs,
-        &matrix,
-        &right,
-        &build.cones,
-        settings.clone(),
-    );
-    (solver, matrix, right)
-}
-
 impl<'a> Programme<'a> {
     /// Builds the programme.
     pub(super) fn new(terms: Terms<'a>) -> Self {
         let chosen = ChosenToes::first(terms.pushes);
-        let build = terms.build(&chosen);
-        let (solver, matrix, right) = solver_of(&build, &terms.settings);
+        let conic = Conic::of(terms.build(&chosen));
         Programme {
+            solver: conic.solver(terms.settings.clone()),
             terms,
             chosen,
-            solver,
             is_other: false,
-            matrix,
-            costs: build.costs,
-            right,
-            cones: build.cones,
+            conic,
         }
     }
 
     /// Builds the programme again, with the stress blocks chosen since.
     fn renew(&mut self) {
-        let build = self.terms.build(&self.chosen);
-        (self.solver, self.matrix, self.right) = solver_of(&build, &self.terms.settings);
-        (self.costs, self.cones, self.is_other) = (build.costs, build.cones, false);
+        self.conic = Conic::of(self.terms.build(&self.chosen));
+        self.solver = self.conic.solver(self.terms.settings.clone());
+        self.is_other = false;
     }
 
     /// Number of unknown forces and accelerations, with all stress blocks.
     pub(super) fn unknowns(&self) -> usize {
-        self.right.len() + 3 * self.chosen.left_out(self.terms.pushes)
+        self.conic.right.len() + 3 * self.chosen.left_out(self.terms.pushes)
     }
 
     /// The programme with all stress blocks.
@@ -200,7 +205,7 @@ impl<'a> Programme<'a> {
             let x = &self.solver.solution.x;
             let most = match &found {
                 // the scale of a mechanism that falls is the energy that it gains
-                Ok(ProgrammeOutcome::Falls) => -dot(&self.costs, x) * MISSED_MOST,
+                Ok(ProgrammeOutcome::Falls) => -dot(&self.conic.costs, x) * MISSED_MOST,
                 _ => OVERLOADED_MOST * x.iter().fold(1.0_f64, |most, value| most.max(value.abs())),
             };
             let is_more = match found {
@@ -219,13 +224,13 @@ impl<'a> Programme<'a> {
     /// The same with the stress blocks chosen so far.
     fn support_of_chosen(&mut self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
         match self.terms.within {
-            AccelerationSet::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
-            AccelerationSet::Line(way) => self.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
+            AccelerationSet::Plane => self.conic.right[1..3].copy_from_slice(&towards.map(|part| -part)),
+            AccelerationSet::Line(way) => self.conic.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
         }
         if std::mem::take(&mut self.is_other) {
-            self.solver = self.solver_with(self.terms.settings.clone());
+            self.solver = self.conic.solver(self.terms.settings.clone());
         } else {
-            let updated = self.solver.update_b(&self.right);
+            let updated = self.solver.update_b(&self.conic.right);
             updated.map_err(|fault| refused(&fault.to_string()))?;
         }
         self.solver.solve();
@@ -235,23 +240,11 @@ impl<'a> Programme<'a> {
                 return found;
             }
             self.is_other = true;
-            self.solver = self.solver_with(settings);
+            self.solver = self.conic.solver(settings);
             self.solver.solve();
             found = self.certified(towards).or(found);
         }
         found
-    }
-
-    fn solver_with(&self, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
-        let none = CscMatrix::zeros((self.matrix.n, self.matrix.n));
-        DefaultSolver::new(
-            &none,
-            &self.costs,
-            &self.matrix,
-            &self.right,
-            &self.cones,
-            settings,
-        )
     }
 
     /// The result of the last solution, if its forces and its mechanism agree.
@@ -269,7 +262,7 @@ impl<'a> Programme<'a> {
             AccelerationSet::Line(way) => [z[1] * way[0], z[1] * way[1]],
         };
         let reached = point[0] * towards[0] + point[1] * towards[1];
-        let bound = dot(&self.costs, x);
+        let bound = dot(&self.conic.costs, x);
         let size = x.iter().fold(1.0_f64, |most, value| most.max(value.abs()));
         let missed = (self.balance_missed(z).max(self.outside(z, 0.0)))
             .max(self.outside(&self.slips(x, 1.0), 1.0) / size)
@@ -338,7 +331,7 @@ impl<'a> Programme<'a> {
     /// Checks and returns a mechanism that gains energy for any acceleration.
     fn falls(&self) -> Result<ProgrammeOutcome, StabilityError> {
         let x = &self.solver.solution.x;
-        let gains = -dot(&self.costs, x);
+        let gains = -dot(&self.conic.costs, x);
         let outside = self.outside(&self.slips(x, 0.0), 1.0);
         if gains > 0.0 && outside <= MISSED_MOST * gains {
             return Ok(ProgrammeOutcome::Falls);
@@ -350,10 +343,10 @@ impl<'a> Programme<'a> {
 
     /// Openings and slips of a mechanism: share·b − A x.
     fn slips(&self, x: &[f64], share: f64) -> Vec<f64> {
-        let mut slips: Vec<f64> = self.right.iter().map(|right| share * right).collect();
+        let mut slips: Vec<f64> = self.conic.right.iter().map(|right| share * right).collect();
         for (column, value) in x.iter().enumerate() {
-            for at in self.matrix.colptr[column]..self.matrix.colptr[column + 1] {
-                slips[self.matrix.rowval[at]] -= self.matrix.nzval[at] * value;
+            for at in self.conic.matrix.colptr[column]..self.conic.matrix.colptr[column + 1] {
+                slips[self.conic.matrix.rowval[at]] -= self.conic.matrix.nzval[at] * value;
             }
         }
         slips
@@ -362,10 +355,10 @@ impl<'a> Programme<'a> {
     /// Residual of the force balance: the largest |Aᵀ z + q|.
     fn balance_missed(&self, z: &[f64]) -> f64 {
         let mut most = 0.0_f64;
-        for (column, cost) in self.costs.iter().enumerate() {
-            let entries = self.matrix.colptr[column]..self.matrix.colptr[column + 1];
+        for (column, cost) in self.conic.costs.iter().enumerate() {
+            let entries = self.conic.matrix.colptr[column]..self.conic.matrix.colptr[column + 1];
             let sum: f64 = entries
-                .map(|at| self.matrix.nzval[at] * z[self.matrix.rowval[at]])
+                .map(|at| self.conic.matrix.nzval[at] * z[self.conic.matrix.rowval[at]])
                 .sum();
             most = most.max((sum + cost).abs());
         }
@@ -376,7 +369,7 @@ impl<'a> Programme<'a> {
     /// are free).
     fn outside(&self, vector: &[f64], fixed: f64) -> f64 {
         let (mut most, mut row) = (0.0_f64, 0);
-        for cone in &self.cones {
+        for cone in &self.conic.cones {
             let length = match cone {
                 SupportedConeT::SecondOrderConeT(length) => {
                     let across = vector[row + 1..row + length].iter().map(|part| part * part);
@@ -474,11 +467,11 @@ pub(super) fn least_pull(
     let opens = opens.into_iter().enumerate();
     build.row(&opens.filter(|(_, value)| value.abs() > ROUNDING).collect());
     build.cones.push(SupportedConeT::NonnegativeConeT(1));
-    let mut right = vec![0.0; build.next];
-    right[build.next - 1] = 1.0;
-    let matrix = build.matrix();
-    let none = CscMatrix::zeros((matrix.n, matrix.n));
-    let mut solver = DefaultSolver::new(&none, &build.costs, &matrix, &right, &build.cones, settings());
+    let mut conic = Conic::of(build);
+    if let Some(opening) = conic.right.last_mut() {
+        *opening = 1.0;
+    }
+    let mut solver = conic.solver(settings());
     solver.solve();
     let solution = &solver.solution;
     if !matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved) {
@@ -487,7 +480,7 @@ pub(super) fn least_pull(
             solution.status, solution.iterations
         )));
     }
-    let gains = -dot(&build.costs, &solution.x);
+    let gains = -dot(&conic.costs, &solution.x);
     Ok((gains > MISSED_MOST).then(|| solution.x[..rows].to_vec()))
 }
 
