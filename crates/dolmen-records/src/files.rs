@@ -16,6 +16,11 @@ pub trait Files: Send + Sync {
         None
     }
 
+    /// Names of the files read so far, sorted; empty where nobody keeps them.
+    fn names_read(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Whether the file `name` exists only under a name with another Unicode normalization (NFC, NFD).
     fn is_composed_otherwise(&self, _name: &str) -> bool {
         false

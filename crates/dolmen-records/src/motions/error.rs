@@ -71,6 +71,33 @@ pub enum MotionError {
         /// Time step in the file, s.
         found: f64,
     },
+    /// Time stamps may be rounded, or a sample is lost.
+    CoarseStamps {
+        /// The line.
+        line: usize,
+        /// Its step, s.
+        step_s: f64,
+        /// The step before, s.
+        step_before_s: f64,
+        /// Value of the last printed digit, s.
+        resolution_s: f64,
+    },
+    /// Time stamps scatter.
+    Jitter {
+        /// The line.
+        line: usize,
+        /// Its time stamp, s.
+        stamp_s: f64,
+        /// Its step, s.
+        step_s: f64,
+        /// The even step, s.
+        even_step_s: f64,
+    },
+    /// Time stamps are refused, with advice on a sampling rate.
+    OfRate {
+        /// Reason.
+        fault: Box<RecordError>,
+    },
     /// The given time step is not allowed.
     Step {
         /// The step given, s.

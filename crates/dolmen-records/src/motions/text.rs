@@ -95,6 +95,14 @@ fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option
             let names = names.clone();
             return Err(MotionError::NoStep { names });
         }
+        RecordError::CoarseStamps { .. }
+        | RecordError::Jitter { .. }
+        | RecordError::RateDisagrees { .. }
+        | RecordError::StampsStand { .. }
+        | RecordError::TimeText { .. }
+        | RecordError::TimeUnit { .. }
+        | RecordError::SlowStamps { .. }
+        | RecordError::DatesDisagree { .. } => return Err(of_step(refused)),
         RecordError::ColumnUnitsDiffer {
             column,
             found,
@@ -124,6 +132,41 @@ fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option
             given: Some(given.clone()),
             names: several.iter().map(|at| names[*at].clone()).collect(),
         }),
+    }
+}
+
+/// The error of time stamps of a motion, whose key is its step and not its rate.
+fn of_step(refused: RecordError) -> MotionError {
+    match refused {
+        RecordError::CoarseStamps {
+            line,
+            step_s,
+            step_before_s,
+            resolution_s,
+        } => MotionError::CoarseStamps {
+            line,
+            step_s,
+            step_before_s,
+            resolution_s,
+        },
+        RecordError::Jitter {
+            line,
+            stamp_s,
+            step_s,
+            even_step_s,
+        } => MotionError::Jitter {
+            line,
+            stamp_s,
+            step_s,
+            even_step_s,
+        },
+        RecordError::RateDisagrees { given, stamps_hz } => MotionError::StepDisagrees {
+            given: 1.0 / given,
+            found: 1.0 / stamps_hz,
+        },
+        fault => MotionError::OfRate {
+            fault: Box::new(fault),
+        },
     }
 }
 
@@ -162,12 +205,26 @@ fn read_columns(
         RecordError::LooksLikeTime { column, .. } => column == UNNAMED[0],
         _ => false,
     };
-    if unnamed_stamps {
-        told.time = TimeColumn::At(Column::Number(1));
-        read_csv(bytes, &told)
-    } else {
-        Err(refused)
+    let refused = match unnamed_stamps {
+        true => {
+            told.time = TimeColumn::At(Column::Number(1));
+            match read_csv(bytes, &told) {
+                Err(refused) => refused,
+                reading => return reading,
+            }
+        }
+        false => refused,
+    };
+    let scatter = matches!(
+        refused,
+        RecordError::CoarseStamps { .. } | RecordError::Jitter { .. } | RecordError::StampsStand { .. }
+    );
+    // whoever gives the step says that no sample is lost
+    if scatter && options.time_step_s.is_some() {
+        told.lost_samples = LostSamples::NoneLost;
+        return read_csv(bytes, &told);
     }
+    Err(refused)
 }
 
 /// Units at the end of column names without brackets: "acceleration_m_s2".

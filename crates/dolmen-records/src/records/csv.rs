@@ -490,6 +490,7 @@ impl LineReader<'_> {
                 column: name(),
                 text: text(),
             }),
+            None if text() == self.start.columns[column] => Err(RecordError::HeaderAgain { line }),
             None if self.uses[column] == Use::Time => match minute_of_hour(&text()) {
                 Some(at) => Ok(at.printed(end)),
                 None => Err(RecordError::TimeText {

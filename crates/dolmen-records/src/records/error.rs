@@ -54,6 +54,11 @@ pub enum RecordError {
         /// Content of the cell.
         text: String,
     },
+    /// The line of the column names occurs again.
+    HeaderAgain {
+        /// Line of the file.
+        line: usize,
+    },
     /// A cell is empty.
     EmptyCell {
         /// Line of the file.
@@ -204,7 +209,7 @@ pub enum RecordError {
         stamp_s: f64,
         /// Step from the previous time stamp, s.
         step_s: f64,
-        /// Even step: that of the given rate, else that of the earlier time stamps, s.
+        /// Even step: that of the given rate, else the mean of all steps, s.
         even_step_s: f64,
     },
     /// The second time stamp is not after the first.

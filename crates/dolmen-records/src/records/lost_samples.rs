@@ -59,7 +59,7 @@ impl Spans {
             unit_s,
             given_hz,
             lost_samples,
-            now: Stamps::new(unit_s, given_hz),
+            now: Stamps::new(unit_s, given_hz).in_the_mean(lost_samples == LostSamples::NoneLost),
             now_from: 0,
             rows: 0,
             last: None,
@@ -142,6 +142,9 @@ impl Spans {
     pub(super) fn longest(mut self) -> Result<UsableRows, RecordError> {
         let now = std::mem::replace(&mut self.now, Stamps::new(self.unit_s, self.given_hz));
         self.done.push((self.now_from..self.rows, now));
+        if let Some(fault) = self.done.iter().find_map(|(_, stamps)| stamps.scattered()) {
+            return Err(fault);
+        }
         let first_s = self.done.first().map_or(0.0, |(_, stamps)| stamps.first_s());
         let to_s = self.last.map_or(0.0, |(number, _)| number.value * self.unit_s);
         // the first among equals

@@ -94,4 +94,7 @@ pub enum LostSamples {
     /// know where they are.
     #[serde(skip)]
     Bridged,
+    /// None is lost, as the user says: the given sampling rate counts, and time stamps are compared with it in the mean alone.
+    #[serde(skip)]
+    NoneLost,
 }

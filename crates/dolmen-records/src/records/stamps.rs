@@ -17,6 +17,8 @@ const SCATTER: std::ops::Range<f64> = 0.02..0.3;
 const RESOLUTION_MOST: f64 = 0.25;
 /// Largest relative difference between a given rate and that of the stamps: an error of 1e-4 in every frequency, far below the scatter.
 const RATE_TOLERANCE: f64 = 1e-4;
+/// The same for the mean of stamps that scatter. Our choice: more than the clocks of recorders err, less than one lost sample in fifty.
+const MEAN_TOLERANCE: f64 = 0.01;
 /// Relative tolerance for a given step to be a multiple of the resolution, so that its stamps are printed without rounding.
 const MULTIPLE: f64 = 1e-6;
 /// Generous bound of the relative rounding error of a mean of differences of doubles.
@@ -59,6 +61,18 @@ pub(super) struct Stamps {
     /// Interval of the steps that agree with all stamps so far, s.
     step_least_s: f64,
     step_most_s: f64,
+    /// The first stamp that scatters, if the rate is not given: the even step is known only after the last stamp.
+    scatters: Option<Scatter>,
+    /// Whether only the mean of the steps is compared with the given rate.
+    is_in_the_mean: bool,
+}
+
+/// A stamp that scatters about even steps.
+#[derive(Clone, Copy, Debug)]
+struct Scatter {
+    line: usize,
+    stamp_s: f64,
+    step_s: f64,
 }
 
 impl Stamps {
@@ -78,6 +92,16 @@ impl Stamps {
             decade_decimals: -DIGITS_MOST,
             step_least_s: 0.0,
             step_most_s: f64::INFINITY,
+            scatters: None,
+            is_in_the_mean: false,
+        }
+    }
+
+    /// Compares only the mean of the steps with the given rate, if that is so.
+    pub(super) fn in_the_mean(self, is_so: bool) -> Self {
+        Stamps {
+            is_in_the_mean: is_so,
+            ..self
         }
     }
 
@@ -89,6 +113,10 @@ impl Stamps {
         self.count += 1;
         if self.count == 1 {
             (self.first_s, self.last_s) = (stamp_s, stamp_s);
+            return Ok(());
+        }
+        if self.scatters.is_some() || self.is_in_the_mean {
+            self.last_s = stamp_s;
             return Ok(());
         }
         let elapsed = stamp_s - self.first_s;
@@ -109,6 +137,16 @@ impl Stamps {
             }
             let even_step_s = self.given_hz.map_or(self.step_s(), |hz| 1.0 / hz);
             if SCATTER.contains(&(step_s / even_step_s - 1.0).abs()) {
+                if self.given_hz.is_none() {
+                    self.scatters = Some(Scatter {
+                        line,
+                        stamp_s,
+                        step_s,
+                    });
+                    self.count += 1;
+                    self.last_s = stamp_s;
+                    return Ok(());
+                }
                 return Err(RecordError::Jitter {
                     line,
                     stamp_s,
@@ -142,6 +180,16 @@ impl Stamps {
         Ok(())
     }
 
+    /// The first stamp that scatters, with the mean step of all stamps, if the rate is not given.
+    pub(super) fn scattered(&self) -> Option<RecordError> {
+        self.scatters.map(|of| RecordError::Jitter {
+            line: of.line,
+            stamp_s: of.stamp_s,
+            step_s: of.step_s,
+            even_step_s: (self.last_s - self.first_s) / (self.count - 1) as f64,
+        })
+    }
+
     /// Time of the first stamp, s.
     pub(super) fn first_s(&self) -> f64 {
         self.first_s
@@ -172,6 +220,16 @@ impl Stamps {
                 ))
             }
             None => Ok(simplest_rate(least_hz, most_hz)),
+            Some(given) if self.is_in_the_mean => {
+                let mean_hz = (self.count - 1) as f64 / (self.last_s - self.first_s);
+                match (mean_hz / given - 1.0).abs() <= MEAN_TOLERANCE {
+                    true => Ok(given),
+                    false => Err(RecordError::RateDisagrees {
+                        given,
+                        stamps_hz: mean_hz,
+                    }),
+                }
+            }
             Some(given) => {
                 let tolerance = RATE_TOLERANCE * given;
                 if given >= least_hz - tolerance && given <= most_hz + tolerance {
@@ -190,6 +248,8 @@ impl Stamps {
     pub(super) fn step_s(&self) -> f64 {
         if self.count < 2 {
             f64::NAN
+        } else if self.is_in_the_mean {
+            (self.last_s - self.first_s) / (self.count - 1) as f64
         } else if self.step_least_s > 0.0 {
             0.5 * (self.step_least_s + self.step_most_s)
         } else {

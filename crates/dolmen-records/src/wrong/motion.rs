@@ -50,16 +50,28 @@ sentences! {
             ko: "최대값이 {peak_g} g인데 {least_g}~{most_g} g이어야 한다. {hint}. 실제로 그런 지반운동이면 --factor로 그 범위에 넣고 --scale로 되돌린다",
         },
         StepDisagrees { given, found } => {
-            en: "time_step_s is {given}, but the file says {found}: correct it, or leave it out",
-            ko: "time_step_s는 {given}인데 파일에는 {found}(으)로 되어 있다. 고치거나 삭제한다",
+            en: "sample_step_s (--sample-step) is {given} s, but the file says {found} s: correct it, or leave it out",
+            ko: "sample_step_s(--sample-step)는 {given} s인데 파일에는 {found} s로 되어 있다. 고치거나 삭제한다",
+        },
+        CoarseStamps { line, step_s, step_before_s, resolution_s } as { line, step_s: format!("{step_s:.6}"), step_before_s: format!("{step_before_s:.6}"), resolution_s } => {
+            en: "line {line}: the time stamp is {step_s} s after the one before, that one {step_before_s} s after its own; printed to {resolution_s} s, this may be rounding or a missing sample: if none is missing, give the step as sample_step_s (--sample-step), which then counts, or print more digits; else write the missing line, or cut the file there",
+            ko: "{line}행의 시각은 앞 시각보다 {step_s} s 뒤이고, 앞 시각은 그 앞보다 {step_before_s} s 뒤이다. {resolution_s} s 단위로 출력되어 반올림인지 자료가 빠졌는지 알 수 없다. 빠진 자료가 없으면 시간 간격을 sample_step_s(--sample-step)로 입력하거나(그 값을 쓴다) 더 많은 자릿수로 출력하고, 빠졌으면 그 행을 채우거나 거기서 파일을 자른다",
+        },
+        Jitter { line, stamp_s, step_s, even_step_s } as { line, stamp_s, step_s: format!("{step_s:.6}"), even_step_s: format!("{even_step_s:.6}") } => {
+            en: "line {line}: the time stamp {stamp_s} s is {step_s} s after the one before, and even steps are {even_step_s} s: no sample is missing there, but the stamps scatter. If the recorder samples evenly and only its stamps scatter, give its step as sample_step_s (--sample-step), which then counts; else resample the motion before",
+            ko: "{line}행의 시각 {stamp_s} s는 앞 시각보다 {step_s} s 뒤이고 일정한 간격은 {even_step_s} s이다. 빠진 자료는 없으나 시각이 고르지 않다. 기록계는 일정한 간격으로 기록하는데 시각만 흔들리면 그 간격을 sample_step_s(--sample-step)로 입력한다(그 값을 쓴다). 그렇지 않으면 먼저 재표본화한다",
+        },
+        OfRate { fault } => {
+            en: "{fault} (for a motion: sample_step_s or --sample-step, the time between samples in s, in place of sampling_rate)",
+            ko: "{fault} (지반운동에서는 sampling_rate 대신 sample_step_s나 --sample-step에 시간 간격(s)을 입력한다)",
         },
         NoStep { names } as { names: listed(names) } => {
             en: "the time step is not known: no column is named time or t (the columns are {names}); give it as --sample-step, in a project as sample_step_s, or name the time column time",
             ko: "시간 간격을 알 수 없다. 이름이 time이나 t(시간)인 열이 없다(파일의 열: {names}). --sample-step(프로젝트 파일에서는 sample_step_s)으로 입력하거나 시간 열의 이름을 time으로 한다",
         },
         Step { given } => {
-            en: "time_step_s is {given}, but must be a positive number of seconds",
-            ko: "time_step_s가 {given}인데 양의 초이어야 한다",
+            en: "sample_step_s (--sample-step) is {given}, but must be a positive number of seconds",
+            ko: "sample_step_s(--sample-step)가 {given}인데 양의 초이어야 한다",
         },
         TimeSteps { first, first_s, second, second_s } => {
             en: "the {first} component has a step of {first_s} s, the {second} of {second_s} s: resample one before",

@@ -41,6 +41,10 @@ sentences! {
             en: "line {line}, column \"{column}\": the time stamp \"{text}\" is not a number of seconds: give sampling_rate and name the columns to read, then the first and the last date are held against that rate",
             ko: "{line}행 \"{column}\" 열의 시각 \"{text}\"은(는) 초 단위의 수가 아니다. sampling_rate를 입력하고 읽을 열의 이름을 쓰면, 첫 날짜와 마지막 날짜를 그 주파수와 대조한다",
         },
+        HeaderAgain { line } => {
+            en: "line {line} is the header again: the recorder restarted there, and the time in between is not known; cut the file there, and make the part after it a record of its own",
+            ko: "{line}행에 머리글이 다시 나온다. 기록계가 그곳에서 다시 시작하였으며 그 사이의 시간은 알 수 없다. 파일을 그곳에서 나누고 뒷부분을 별도의 기록으로 한다",
+        },
         EmptyCell { line, column } as { line, column: shown(column) } => {
             en: "line {line}, column \"{column}\" is empty: a sample is missing; cut the file before or after it, or leave the column out",
             ko: "{line}행 \"{column}\" 열이 비어 있다. 값이 하나 빠졌다. 그 앞이나 뒤에서 파일을 자르거나 그 열을 뺀다",

@@ -285,6 +285,21 @@ fn refuses_cells_that_are_no_samples() {
 }
 
 #[test]
+fn refuses_a_second_header() {
+    let said = "line 4 is the header again: the recorder restarted there, and the time in between is not known; cut the file \
+                there, and make the part after it a record of its own";
+    assert_eq!(
+        refusal("time,x,y\n0,1,2\n0.01,3,1\ntime,x,y\n0,2,5\n0.01,2,5\n"),
+        said
+    );
+    let told = RecordOptions {
+        picks: vec![named("y", "roof")],
+        ..at_100_hz()
+    };
+    assert_eq!(refusal_with("x,y\n1,2\n3,1\nx,y\n2,5\n", &told), said);
+}
+
+#[test]
 fn refuses_dates_unless_rate_and_columns_are_told() {
     let text =
         "time,x,y\n2010-05-12 10:00:00.00,1,2\n2010-05-12 10:00:00.01,3,1\n2010-05-12 10:00:00.02,2,5\n";

@@ -196,7 +196,7 @@ fn refuses_what_is_not_known_or_contradicts() {
     };
     assert_eq!(
         said(NEW, &step(0.02)),
-        "time_step_s is 0.02, but the file says 0.01: correct it, or leave it out"
+        "sample_step_s (--sample-step) is 0.02 s, but the file says 0.01 s: correct it, or leave it out"
     );
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(said(NEW, &step(bad)).contains("positive number of seconds"));
@@ -400,4 +400,34 @@ fn refuses_columns_of_velocity_and_displacement() {
         .unwrap_err()
         .to_string();
     assert!(differ.contains("say which columns are accelerations"), "{differ}");
+}
+
+/// Stamps that scatter or are rounded name the key of a motion, and with it the motion is read.
+#[test]
+fn holds_a_given_step_reads_stamps_that_scatter() {
+    let with = |stamps: &dyn Fn(usize) -> f64, decimals: usize| {
+        let lines = (0..200).map(|i| format!("{:.decimals$},{}\n", stamps(i), (i as f64 * 0.7).sin()));
+        format!("time,a (gal)\n{}", lines.collect::<String>())
+    };
+    let step = MotionOptions {
+        time_step_s: Some(0.01),
+        ..Default::default()
+    };
+    // one stamp is missing, and stamps that scatter by a tenth of a step
+    let missing = with(&|i| 0.01 * (i + usize::from(i > 99)) as f64, 2);
+    let scattered = with(&|i| 0.01 * i as f64 + 0.001 * (i % 2) as f64, 4);
+    for text in [missing, scattered] {
+        let fault = said(&text, &MotionOptions::default());
+        assert!(fault.contains("sample_step_s (--sample-step)"), "{fault}");
+        assert!(!fault.contains("sampling_rate"), "{fault}");
+        let read = read_component(text.as_bytes(), &step).unwrap();
+        assert_eq!((read.time_step_s, read.acceleration_m_s2.len()), (0.01, 200));
+    }
+    // but not with another step in the mean
+    let two_steps = with(&|i| 0.01 * (i + i.saturating_sub(100)) as f64, 2);
+    let fault = said(&two_steps, &step);
+    assert!(
+        fault.contains("sample_step_s (--sample-step) is 0.01 s, but the file says 0.014"),
+        "{fault}"
+    );
 }

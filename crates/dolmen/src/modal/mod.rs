@@ -29,7 +29,7 @@ mod subspace;
 mod synthetic;
 mod unkind;
 
-pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, decrement, era};
+pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, Overtone, decrement, era};
 pub use driven::{
     Driven, DrivenMode, FrequencyResponse, FrequencyResponses, MadeOnGround, MadeOneMass, OffGround,
     frequency_responses,

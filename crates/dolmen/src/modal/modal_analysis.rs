@@ -30,6 +30,8 @@ pub struct ModalAnalysis {
     pub settings: Settings,
     /// For a free decay: quality of the exponential model, and dependence on amplitude.
     pub decay: Option<Decay>,
+    /// For a record that looks like a free decay and is not analysed as one: share of the motion that decaying modes explain.
+    pub free_decay: Option<f64>,
     /// For a record with measured inputs: the motion that the inputs explain, and the modes of structure and ground.
     pub driven: Option<Driven>,
     /// Notes on the modes.
@@ -76,6 +78,7 @@ pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) ->
         hankel_singular_values: Vec::new(),
         settings,
         decay: None,
+        free_decay: None,
         driven: None,
         notes: Vec::new(),
     }

@@ -129,3 +129,18 @@ impl std::fmt::Display for ShapeQuantity {
         })
     }
 }
+
+/// "1.234, 2.345".
+pub(super) fn list(f: &mut std::fmt::Formatter<'_>, frequency_hz: &[f64]) -> std::fmt::Result {
+    for (i, frequency_hz) in frequency_hz.iter().enumerate() {
+        let comma = if i > 0 { ", " } else { "" };
+        write!(f, "{comma}{frequency_hz:.3}")?;
+    }
+    Ok(())
+}
+
+/// The frequencies of modes, each with its damping ratio.
+pub(super) fn frequencies(modes: &[[f64; 2]]) -> String {
+    let each: Vec<String> = modes.iter().map(|[hz, _]| format!("{hz:.3}")).collect();
+    each.join(", ")
+}

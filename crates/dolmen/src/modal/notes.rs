@@ -1,6 +1,6 @@
 //! Notes on the modes, as sentences.
 
-use super::noted::{LateClock, ShapeQuantity, Tone, ToneOnMode};
+use super::noted::{LateClock, ShapeQuantity, Tone, ToneOnMode, frequencies, list};
 use super::subspace::HANKEL_ROWS_MOST;
 use super::{FromClipping, InSpells, Kurtosis, RefusedPeak, Wander};
 use crate::signal::ChannelFault;
@@ -97,6 +97,11 @@ pub enum Note {
     /// Clusters of poles that mix several modes: left out.
     Blends {
         /// Frequency, Hz, and damping ratio of each cluster.
+        blends: Vec<[f64; 2]>,
+    },
+    /// Modes in a valley of the spectrum between two peaks, each of two modes in one: left out.
+    InValleys {
+        /// Frequency, Hz, and damping ratio of each.
         blends: Vec<[f64; 2]>,
     },
     /// Modes whose band of the spectrum could not be fitted: they keep the result of the subspace method.
@@ -345,6 +350,10 @@ impl std::fmt::Display for Note {
                 "modes are sought up to {passed_hz:.3} Hz, not to frequency_high_hz = {asked_hz:.3} Hz: above it the filter cuts with which the \
                  record was brought to its rate"
             ),
+            Note::InValleys { blends } => {
+                let at = frequencies(blends);
+                write!(f, "two modes in one, in a valley of the spectrum: {at} Hz")
+            }
             Note::Blends { blends } => {
                 let all: Vec<String> = blends
                     .iter()
@@ -537,12 +546,4 @@ impl std::fmt::Display for Note {
             ),
         }
     }
-}
-
-fn list(f: &mut std::fmt::Formatter<'_>, frequency_hz: &[f64]) -> std::fmt::Result {
-    for (i, frequency_hz) in frequency_hz.iter().enumerate() {
-        let comma = if i > 0 { ", " } else { "" };
-        write!(f, "{comma}{frequency_hz:.3}")?;
-    }
-    Ok(())
 }

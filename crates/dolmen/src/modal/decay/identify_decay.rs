@@ -2,6 +2,7 @@
 
 use super::blows::blows;
 use super::mode_decay::{Decay, ModeDecay};
+use super::not_modes::{is_machine, overtones};
 use crate::modal::indicators::largest;
 use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
@@ -64,9 +65,20 @@ pub(crate) fn of_decay(
             over_white: group.iter().map(|i| found.over_white[*i]).fold(1.0, f64::max),
             damping_follows,
             swings,
+            overtone: None,
         });
     }
-    let within = |frequency_hz: f64| (low_hz..=high_hz).contains(&frequency_hz);
+    let energy = |group: &Vec<usize>| group.iter().map(|i| found.energy[*i]).fold(0.0, f64::max);
+    let energy: Vec<f64> = groups.iter().map(energy).collect();
+    let overtones = overtones(&modes, &analysis.modes.modes, &energy);
+    for (mode, overtone) in modes.iter_mut().zip(overtones) {
+        mode.overtone = overtone;
+    }
+    let machines = analysis.modes.modes.iter().filter(|mode| is_machine(mode));
+    let machines_hz: Vec<f64> = machines.map(|mode| mode.frequency_hz).collect();
+    let within = |frequency_hz: f64| {
+        (low_hz..=high_hz).contains(&frequency_hz) && !machines_hz.contains(&frequency_hz)
+    };
     modes.retain(|m| within(m.frequency_hz));
     analysis.modes.modes.retain(|m| within(m.frequency_hz));
     analysis.decay = Some(Decay {
@@ -74,6 +86,7 @@ pub(crate) fn of_decay(
         explained: found.explained,
         left_peaks_hz: peaks_of_rest(record, &found)?,
         modes,
+        machines_hz,
     });
     analysis.settings.lines = 0;
     analysis.settings.range_hz = [low_hz, high_hz];

@@ -6,9 +6,12 @@ mod decay_left;
 mod decrement;
 mod era;
 mod identify_decay;
+mod like_decay;
 mod mode_decay;
+mod not_modes;
 
 pub use decrement::{AtAmplitude, Decrement, decrement};
 pub use era::{Era, FreeDecay, era};
 pub(super) use identify_decay::{SHORT, of_decay, short_spectrum};
-pub use mode_decay::{Decay, ModeDecay};
+pub(super) use like_decay::explained_by_decay;
+pub use mode_decay::{Decay, ModeDecay, Overtone};

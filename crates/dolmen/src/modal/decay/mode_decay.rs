@@ -13,6 +13,17 @@ pub struct Decay {
     pub left_peaks_hz: Vec<f64>,
     /// Each mode, by frequency.
     pub modes: Vec<ModeDecay>,
+    /// Frequencies at which the motion does not decay over the record, Hz: hum or machines. They are not among the modes.
+    pub machines_hz: Vec<f64>,
+}
+
+/// A multiple of the frequency of a mode that is not linear.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overtone {
+    /// Frequency of that mode, Hz.
+    pub of_hz: f64,
+    /// The multiple: 3 or 5.
+    pub times: usize,
 }
 
 /// The decay of one mode.
@@ -32,4 +43,6 @@ pub struct ModeDecay {
     /// Frequency and damping at each amplitude, largest first, at the channel with the largest motion of the mode. Empty if another mode is too
     /// near, if there are too few cycles, or if the cycles of several poles grow with time (beats).
     pub swings: Vec<AtAmplitude>,
+    /// The stronger mode whose overtone this may be: its frequency depends on the amplitude, and the shapes are alike.
+    pub overtone: Option<Overtone>,
 }

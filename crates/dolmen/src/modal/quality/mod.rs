@@ -16,6 +16,7 @@ mod refused_peaks;
 mod remarks;
 mod shape_checks;
 mod spells;
+mod valleys;
 mod wander;
 
 pub(super) use clipping::{ClippedRecord, leave_out_clipped};
@@ -32,4 +33,5 @@ pub(super) use refused_peaks::Diagram;
 pub(super) use remarks::{explained, near, remark};
 pub(super) use shape_checks::{Quantities, doubt_channels, to_one_quantity};
 pub(super) use spells::leave_out_spells;
+pub(super) use valleys::in_valleys;
 pub use wander::Wander;

@@ -3,10 +3,10 @@
 //! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its standard deviation.
 
 use super::merged_mode::{MergedMode, MergingMode};
-use super::pairing::{ObservedMode, Pairing, pair_modes};
+use super::pairing::{ObservedMode, Pairing, pair_modes, shared};
 use super::reference_gains::{ReferenceFault, reference_faults};
 use super::sensor_places::SensorPlaces;
-use crate::modal::{ModalError, Modes};
+use crate::modal::{ModalError, Modes, assurance};
 
 /// Options of [`merge_setups`].
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +54,8 @@ pub struct MergedSetups {
 
 /// Largest relative difference between the frequencies of one mode in two setups, for any shapes. Our choice.
 const ONE_FREQUENCY: f64 = 0.02;
+/// Least MAC at the references of one mode in two setups that other setups do not show. Our choice.
+const ONE_SHAPE: f64 = 0.9;
 
 /// Merges the modes of several setups (post-separate estimation re-scaling).
 ///
@@ -94,16 +96,22 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         let known: Vec<ObservedMode> = growing.iter().map(|g| g.observed(&places)).collect();
         let paired = pair_modes(&known, &ObservedMode::all(setup, 0), &options.pairing)?;
         for &alone in &paired.only_first {
-            partial.push(PartialMode {
-                frequency_hz: growing[alone].members[0].frequency_hz,
-                setups: (0..number).collect(),
-                unlike_in: Vec::new(),
+            partial.push(Left {
+                mode: PartialMode {
+                    frequency_hz: growing[alone].members[0].frequency_hz,
+                    setups: (0..number).collect(),
+                    unlike_in: Vec::new(),
+                },
+                observed: known[alone].clone(),
             });
         }
-        partial.extend(paired.only_second.iter().map(|&alone| PartialMode {
-            frequency_hz: setup.modes[alone].frequency_hz,
-            setups: vec![number],
-            unlike_in: Vec::new(),
+        partial.extend(paired.only_second.iter().map(|&alone| Left {
+            mode: PartialMode {
+                frequency_hz: setup.modes[alone].frequency_hz,
+                setups: vec![number],
+                unlike_in: Vec::new(),
+            },
+            observed: ObservedMode::of(&setup.modes[alone], &setup.channels, 0),
         }));
         let mut next = Vec::with_capacity(paired.pairs.len());
         for pair in &paired.pairs {
@@ -114,21 +122,7 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         }
         growing = next;
     }
-    partial.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    let all = partial.clone();
-    for mode in &mut partial {
-        let is_near = |other: &&PartialMode| {
-            (other.frequency_hz / mode.frequency_hz - 1.0).abs() <= ONE_FREQUENCY
-                && other.setups.iter().all(|s| !mode.setups.contains(s))
-        };
-        mode.unlike_in = all
-            .iter()
-            .filter(is_near)
-            .flat_map(|o| o.setups.clone())
-            .collect();
-        mode.unlike_in.sort_unstable();
-        mode.unlike_in.dedup();
-    }
+    let partial = joined(partial, setups.len(), options.pairing.place_within_m);
     let mut found = Vec::with_capacity(growing.len());
     for mode in &growing {
         found.push(mode.finished()?);
@@ -149,6 +143,55 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         references,
         reference_faults: reference_faults(setups, &options.pairing)?,
     })
+}
+
+/// A mode that is missing in some setups, with its shape.
+struct Left {
+    mode: PartialMode,
+    observed: ObservedMode,
+}
+
+/// Joins modes of one frequency and shape in different setups, and lists for the others where the shape differs.
+fn joined(mut all: Vec<Left>, setups: usize, place_within_m: f64) -> Vec<PartialMode> {
+    all.sort_by(|a, b| a.mode.frequency_hz.total_cmp(&b.mode.frequency_hz));
+    let is_near = |a: &PartialMode, b: &PartialMode| {
+        (a.frequency_hz / b.frequency_hz - 1.0).abs() <= ONE_FREQUENCY
+            && a.setups.iter().all(|s| !b.setups.contains(s))
+    };
+    let is_alike = |a: &ObservedMode, b: &ObservedMode| {
+        let [phi, psi] = shared(&a.shape, &b.shape, place_within_m);
+        // at a single place all shapes are equal
+        phi.len() > 1 && assurance(&phi, &psi) >= ONE_SHAPE
+    };
+    let mut partial: Vec<Left> = Vec::with_capacity(all.len());
+    for one in all {
+        let mut near = partial.iter_mut();
+        let is_same = |of: &Left| {
+            is_near(&of.mode, &one.mode)
+                && is_alike(&of.observed, &one.observed)
+                && of.mode.setups.len() + one.mode.setups.len() < setups
+        };
+        match near.find(|of| is_same(of)) {
+            Some(same) => {
+                same.mode.setups.extend(one.mode.setups);
+                same.mode.setups.sort_unstable();
+            }
+            None => partial.push(one),
+        }
+    }
+    let modes: Vec<PartialMode> = partial.into_iter().map(|of| of.mode).collect();
+    let unlike_in = |mode: &PartialMode| {
+        let near = modes.iter().filter(|other| is_near(mode, other));
+        let mut setups: Vec<usize> = near.flat_map(|other| other.setups.clone()).collect();
+        setups.sort_unstable();
+        setups.dedup();
+        setups
+    };
+    let each = modes.iter().map(|mode| PartialMode {
+        unlike_in: unlike_in(mode),
+        ..mode.clone()
+    });
+    each.collect()
 }
 
 #[cfg(test)]
@@ -283,6 +326,23 @@ mod tests {
             [PartialMode {
                 frequency_hz: lost.frequency_hz,
                 setups: vec![0],
+                unlike_in: Vec::new(),
+            }]
+        );
+    }
+
+    #[test]
+    fn holds_a_mode_that_only_the_first_setup_does_not_show_is_unlike_in_none() {
+        let mut first = setup(&[6, 7, 0], Complex64::ONE, 1.0);
+        let lost = first.modes.remove(2);
+        let second = setup(&[6, 7, 1], Complex64::new(-0.3, 0.2), 1.0);
+        let third = setup(&[6, 7, 2], Complex64::ONE, 1.001);
+        let found = merge_setups(&[first, second, third], &MergeSetups::default()).unwrap();
+        assert_eq!(
+            found.partial,
+            [PartialMode {
+                frequency_hz: lost.frequency_hz,
+                setups: vec![1, 2],
                 unlike_in: Vec::new(),
             }]
         );

@@ -93,13 +93,6 @@ pub struct ObservedMode {
 impl ObservedMode {
     /// From a mode of [`identify`](crate::modal::identify); `time_blocks` is the number of blocks behind its standard deviations, below 2 if they are
     /// assumed exact.
-    ///
-    /// ```text
-    /// 1/ν = 2/(b − 1) + (sd ζ/ζ)²/2        b blocks of time, ν one at least
-    /// ```
-    /// The selected order has a small standard deviation, so its value is low by chance: by 8 % in one minute at 1.5 to 6 Hz, 5 % in three minutes,
-    /// none in ten (measured). Half of the degrees of freedom compensate for this. The standard deviation of a frequency is proportional to √ζ, so
-    /// its relative error is that of √ζ.
     pub fn of(mode: &Mode, channels: &[Channel], time_blocks: usize) -> Self {
         let points = channels.iter().zip(&mode.shape);
         ObservedMode {
@@ -107,14 +100,7 @@ impl ObservedMode {
             frequency_sd_hz: mode.frequency_sd_hz,
             damping_ratio: mode.damping_ratio,
             damping_ratio_sd: mode.damping_ratio_sd,
-            degrees_of_freedom: match time_blocks {
-                0 | 1 => f64::INFINITY,
-                blocks => {
-                    let of_damping = mode.damping_ratio_sd.zip(mode.damping_ratio);
-                    let c = of_damping.map_or(0.0, |(sd, zeta)| sd / zeta);
-                    (1.0 / (2.0 / (blocks - 1) as f64 + 0.5 * c * c)).max(1.0)
-                }
-            },
+            degrees_of_freedom: mode.degrees_of_freedom(time_blocks),
             direction: None,
             accepted: !mode.is_found(),
             shape: points

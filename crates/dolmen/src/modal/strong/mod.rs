@@ -2,9 +2,11 @@
 
 mod detection;
 mod features;
+mod lasting;
 mod levels;
 mod losses;
 mod made;
+mod mode_pairs;
 mod part;
 mod parts;
 mod peaks;
@@ -14,10 +16,11 @@ mod track;
 mod wind;
 
 pub use detection::{earthquake_in, earthquakes_in};
+pub use lasting::LastingChange;
 pub use losses::{AtLeast, Losses};
 pub use made::MadeEarthquake;
 pub use part::Part;
-pub use parts::{DrivenPart, During, LastingChange, is_of_one_state};
+pub use parts::{DrivenPart, During, is_of_one_state};
 pub use peaks::StrongChannel;
 pub use shaking::{Shaking, ShakingKind};
 pub use strong_motion::{StrongEvent, StrongMotion, strong_motion};

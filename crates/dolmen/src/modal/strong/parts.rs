@@ -1,5 +1,6 @@
-//! Modes before, during and after an earthquake, and their lasting change.
+//! Modes before, during and after an earthquake.
 
+use super::lasting::LastingChange;
 use super::losses::Losses;
 use super::part::{Part, part_of};
 use super::shaking::Shaking;
@@ -9,6 +10,7 @@ use crate::modal::indicators::assurance;
 use crate::modal::modal_analysis::ModalAnalysis;
 use crate::modal::options::Identify;
 use crate::modal::{Method, Mode, Modes};
+use crate::numeric::{quantile, sum_of};
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
 
@@ -18,10 +20,13 @@ const PART_LEAST_S: f64 = 40.0;
 /// decays from twice the noise.
 const APART_S: f64 = 1.0;
 const SETTLES_S: f64 = 5.0;
-/// Largest relative difference of the frequencies, and least likeness of the shapes, of one mode.
-const FREQUENCY_WITHIN: f64 = 0.35;
-const ALIKE: f64 = 0.8;
-/// The same, within one part of a record. Our choice.
+/// Number of blocks of a part after an earthquake, ratio of the power of the first block to that of the median block above which the structure still
+/// decays and the block is left out, and largest share of the part that is left out. One block with a third of the power would leave two effective
+/// blocks, which prove no change. Our choice.
+const BLOCKS: usize = 30;
+const STILL_DECAYS: f64 = 2.5;
+const LEFT_OUT_MOST: f64 = 0.3;
+/// Largest relative difference of the frequencies, and least likeness of the shapes, of one mode that a part shows twice. Our choice.
 const TWICE_WITHIN: f64 = 0.25;
 const TWICE_ALIKE: f64 = 0.9;
 /// Ratio of the standard deviation in a state with little motion to that in the state with motion, above which the former is dropped. Our choice.
@@ -52,34 +57,6 @@ pub enum During {
     Unknown,
 }
 
-/// One mode before and after the earthquake.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LastingChange {
-    /// Frequency before, Hz.
-    pub before_hz: f64,
-    /// Standard deviation of the frequency before, Hz.
-    pub before_sd_hz: Option<f64>,
-    /// Frequency after, Hz.
-    pub after_hz: f64,
-    /// Standard deviation of the frequency after, Hz.
-    pub after_sd_hz: Option<f64>,
-    /// Frequency after over frequency before, minus 1.
-    pub ratio: f64,
-    /// Standard deviation of this ratio; `None` if one of the two is unknown.
-    pub ratio_sd: Option<f64>,
-}
-
-impl LastingChange {
-    /// Number of standard deviations above which a change is significant. Our choice: chance gives as much once in 370 comparisons.
-    pub const BEYOND: f64 = 3.0;
-
-    /// Whether the change exceeds the scatter of both identifications.
-    pub fn is_beyond_chance(&self) -> bool {
-        self.ratio_sd
-            .is_some_and(|sd| self.ratio.abs() > Self::BEYOND * sd)
-    }
-}
-
 impl During {
     pub(super) fn shift(&mut self, by_s: f64) {
         match self {
@@ -101,7 +78,37 @@ pub(super) fn quiet(record: &Record, options: &Identify, shakings: &[Shaking], l
     let ends = shakings.iter().map(|of| (of.arrival_s - APART_S).max(0.0));
     let spans = starts.zip(ends.chain([ends_s]));
     let whole = spans.map(|(from_s, to_s)| losses.whole_within([from_s, to_s.max(from_s)]));
-    whole.map(|span_s| part(record, options, span_s)).collect()
+    let settled = whole.enumerate().map(|(at, span_s)| match at {
+        0 => span_s,
+        _ => settled(record, span_s),
+    });
+    settled.map(|span_s| part(record, options, span_s)).collect()
+}
+
+/// A part after an earthquake, without its first blocks as long as the structure still decays.
+fn settled(record: &Record, [from_s, to_s]: [f64; 2]) -> [f64; 2] {
+    let rate_hz = record.sampling_rate_hz();
+    let [from, to] = [from_s, to_s].map(|at_s| ((at_s * rate_hz) as usize).min(record.length()));
+    let length = (to - from) / BLOCKS;
+    if length == 0 {
+        return [from_s, to_s];
+    }
+    let mut power = vec![0.0; BLOCKS];
+    for c in 0..record.channels().len() {
+        let samples = &record.samples(c)[from..to];
+        let mean = samples.iter().sum::<f64>() / samples.len() as f64;
+        let of = |part: &[f64]| sum_of(part, |y| (y - mean) * (y - mean));
+        let own: Vec<f64> = samples.chunks_exact(length).take(BLOCKS).map(of).collect();
+        let median = quantile(&own, 0.5).unwrap_or(0.0).max(f64::MIN_POSITIVE);
+        for (sum, own) in power.iter_mut().zip(own) {
+            *sum += own / median;
+        }
+    }
+    let channels = record.channels().len() as f64;
+    let still = power.iter().take_while(|sum| **sum > STILL_DECAYS * channels);
+    let most = LEFT_OUT_MOST.min(1.0 - PART_LEAST_S / (to_s - from_s)).max(0.0);
+    let left_out = still.count().min((most * BLOCKS as f64) as usize);
+    [from_s + (left_out * length) as f64 / rate_hz, to_s]
 }
 
 /// Treats a part as ambient vibration: requests for inputs and for modes that must be found do not apply to it.
@@ -234,36 +241,6 @@ pub fn is_of_one_state(whole: &Modes, strong: &Modes) -> bool {
     !has_a_mode_twice(whole) && off <= LastingChange::BEYOND * sd
 }
 
-/// Pairs each mode before with the mode after that has a similar shape.
-pub(super) fn changes(before: &Modes, after: &Modes) -> Vec<LastingChange> {
-    let mut left: Vec<&Mode> = after.modes.iter().collect();
-    let mut all = Vec::new();
-    for mode in &before.modes {
-        let near = |of: &&Mode| (of.frequency_hz / mode.frequency_hz - 1.0).abs() <= FREQUENCY_WITHIN;
-        let like = |of: &Mode| likeness((before, mode), (after, of));
-        let best = left
-            .iter()
-            .enumerate()
-            .filter(|(_, of)| near(of) && like(of) >= ALIKE)
-            .max_by(|a, b| like(a.1).total_cmp(&like(b.1)))
-            .map(|(at, _)| at);
-        let Some(best) = best else { continue };
-        let after = left.remove(best);
-        let sd = |of: &Mode| of.frequency_sd_hz.map(|sd| sd / of.frequency_hz);
-        let ratio = after.frequency_hz / mode.frequency_hz - 1.0;
-        all.push(LastingChange {
-            before_hz: mode.frequency_hz,
-            before_sd_hz: mode.frequency_sd_hz,
-            after_hz: after.frequency_hz,
-            after_sd_hz: after.frequency_sd_hz,
-            ratio,
-            ratio_sd: sd(mode).zip(sd(after)).map(|(a, b)| (1.0 + ratio) * a.hypot(b)),
-        });
-    }
-    all.sort_by(|a, b| a.before_hz.total_cmp(&b.before_hz));
-    all
-}
-
 /// MAC over the channels that both have.
 fn likeness((a, one): (&Modes, &Mode), (b, other): (&Modes, &Mode)) -> f64 {
     let both = a.channels.iter().enumerate().filter_map(|(at, channel)| {
@@ -275,4 +252,31 @@ fn likeness((a, one): (&Modes, &Mode), (b, other): (&Modes, &Mode)) -> f64 {
         return 0.0;
     }
     assurance(&x, &y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::settled;
+    use crate::numeric::Random;
+    use crate::signal::{Channel, Record};
+
+    #[test]
+    fn exact_a_part_begins_when_the_structure_has_settled() {
+        let record = |decay: f64| {
+            let mut random = Random::new(2, 0);
+            let of = |t: usize| (1.0 + decay * (-(t as f64) / 400.0).exp()) * random.normal();
+            Record::new(
+                vec![Channel::named("a")],
+                vec![(0..12_000).map(of).collect()],
+                100.0,
+            )
+            .unwrap()
+        };
+        assert_eq!(settled(&record(0.0), [0.0, 120.0]), [0.0, 120.0]);
+        // amplitude 6 e^(-t/4 s): twice that of the noise at 4 s, a fifth of it at 14 s
+        let [from_s, to_s] = settled(&record(6.0), [0.0, 120.0]);
+        assert!((8.0..=12.0).contains(&from_s) && to_s == 120.0, "{from_s}");
+        // 40 s are left at least
+        assert_eq!(settled(&record(6.0), [0.0, 41.0])[0], 0.0);
+    }
 }

@@ -1,9 +1,10 @@
 //! Evaluates a record with earthquakes: what the structure did before, during and after them.
 
 use super::detection::{SURE_M_S2, earthquakes_in};
+use super::lasting::{LastingChange, changes};
 use super::losses::Losses;
 use super::part::Part;
-use super::parts::{During, LastingChange, changes, during, quiet};
+use super::parts::{During, during, quiet};
 use super::peaks::{Strength, StrongChannel};
 use super::shaking::{Shaking, ShakingKind};
 use super::wind::{Cause, cause};
@@ -170,15 +171,13 @@ pub fn strong_motion(record: &Record, options: &Identify, losses: &Losses) -> Op
     }
     let quiet = quiet(record, options, &shakings, losses);
     let modes = |at: usize| -> Option<&Modes> { quiet[at].analysis.as_ref().map(|of| &of.modes) };
-    let both = |from: usize, to: usize| match (modes(from), modes(to)) {
-        (Some(before), Some(after)) => changes(before, after),
-        _ => Vec::new(),
-    };
     let last = shakings.len();
     let first = (0..last).find(|at| modes(*at).is_some());
     let compared = first.filter(|_| modes(last).is_some()).map(|first| [first, last]);
+    let changes = changes(&quiet, compared);
     let strength = Strength::of(record, &shakings, &quiet, losses);
-    let events = shakings.iter().enumerate().map(|(at, shaking)| {
+    let by_event = shakings.iter().zip(changes.by_event);
+    let events = by_event.enumerate().map(|(at, (shaking, changes))| {
         let near = modes(at).or_else(|| modes(at + 1));
         let near = near.or_else(|| (0..=last).find_map(modes));
         let channels = strength.channels(at);
@@ -193,7 +192,7 @@ pub fn strong_motion(record: &Record, options: &Identify, losses: &Losses) -> Op
         StrongEvent {
             channels,
             during: during((record, losses), options, shaking, near),
-            changes: both(at, at + 1),
+            changes,
             shaking: Shaking {
                 kind: match is_sure {
                     true => shaking.kind,
@@ -205,7 +204,7 @@ pub fn strong_motion(record: &Record, options: &Identify, losses: &Losses) -> Op
     });
     Some(StrongMotion {
         events: events.collect(),
-        changes: compared.map_or_else(Vec::new, |[from, to]| both(from, to)),
+        changes: changes.in_all,
         compared,
         quiet,
     })

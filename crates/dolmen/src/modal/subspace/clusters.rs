@@ -245,7 +245,7 @@ fn lumps(cluster: &Cluster, all: &[Cluster]) -> bool {
 }
 
 /// Share of the squared norm of a shape that is in the plane of two others.
-fn share_in_plane(shape: &[Complex64], plane: [&[Complex64]; 2]) -> f64 {
+pub(in crate::modal) fn share_in_plane(shape: &[Complex64], plane: [&[Complex64]; 2]) -> f64 {
     let inner =
         |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a.conj() * b).sum::<Complex64>();
     let square = |a: &[Complex64]| a.iter().map(|z| z.norm_sqr()).sum::<f64>();

@@ -13,8 +13,8 @@ mod uncertainty;
 
 pub(super) use block_change::Rows;
 pub(super) use block_hankel::{BlockHankel, FuturePast};
-pub(super) use clusters::group_poles;
 pub use clusters::{Cluster, Clustering, Fate, clusters};
+pub(super) use clusters::{group_poles, share_in_plane};
 pub(super) use decomposed::{of_operator, of_product};
 pub(super) use hankel::HANKEL_ROWS_MOST;
 pub use ssi::{Pole, Subspace, ssi_cov, ssi_data};
