@@ -52,27 +52,6 @@ pub(super) struct Raw {
     pub(super) spread: Option<(f64, f64)>,
 }
 
-/// Variance of a sum and its degrees of freedom, from (variance, degrees of freedom) of each part.
-///
-/// ```text
-/// v = Σ v_i,   ν = v² / Σ (v_i² / ν_i)
-/// ```
-///
-/// # Source
-/// Welch (1947) Biometrika 34:28-35; Satterthwaite (1946) Biom. Bull. 2:110-114.
-pub(super) fn welch(parts: &[(f64, f64)]) -> (f64, f64) {
-    let sum: f64 = parts.iter().map(|(v, _)| v).sum();
-    let below: f64 = parts.iter().map(|(v, nu)| v * v / nu).sum();
-    (
-        sum,
-        if below > 0.0 {
-            sum * sum / below
-        } else {
-            f64::INFINITY
-        },
-    )
-}
-
 /// Tests several differences together.
 ///
 /// ```text
@@ -130,6 +109,7 @@ fn testable(raw: &Raw) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::welch;
 
     fn raw(relative: f64, sd: f64, nu: f64) -> Raw {
         Raw {

@@ -1,7 +1,7 @@
 //! The change between two surveys of a structure, judged by a history of many surveys.
 
-use super::difference::welch;
 use crate::modal::ObservedMode;
+use crate::numeric::welch;
 
 /// Relative difference up to which a frequency of a history belongs to a survey. Our choice: several records of a day count as their median.
 const SAME_READING: f64 = 0.01;

@@ -7,7 +7,7 @@
 //! | ΔT | `step_c` | later temperature minus earlier temperature | °C |
 //! | r | `relative` | change that temperature does not explain | - |
 
-use super::difference::{Raw, tested, welch};
+use super::difference::{Raw, tested};
 use super::directions::exchanged_directions;
 use super::history::{HistoryEffect, nearest_of_pair};
 use super::mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
@@ -17,6 +17,7 @@ use super::swapped::{Slip, slip_of_channels};
 use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
+use crate::numeric::welch;
 
 /// Ratio of the scatter about a line over temperature to the stated standard deviations above which chance is excluded. Our choice: with two
 /// degrees of freedom, one fit in a thousand exceeds 2.6.

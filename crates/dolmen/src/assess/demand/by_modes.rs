@@ -18,6 +18,7 @@ use crate::stability::stack::{
 };
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
+use rayon::prelude::*;
 use std::f64::consts::FRAC_PI_4;
 
 /// Least mass participation, along x and along y, of the modes that are included. Our choice: a thousand smaller ones have a thousandth.
@@ -125,15 +126,15 @@ impl<'a> ModalDemand<'a> {
         }
         if !is_statically_determinate(self.stack) {
             let each = self.each_block();
-            let [along_x, along_y] = [
-                self.along([1.0, 0.0], &each, limits)?,
-                self.along([0.0, 1.0], &each, limits)?,
-            ];
-            let mut any = along_x.min(along_y);
-            for way in weakest.into_iter().flat_map(turned_with) {
-                any = any.min(self.along(way, &each, limits)?);
-            }
-            for (together, least) in [along_x, along_y, any].into_iter().zip(&mut least) {
+            let axes = [[1.0, 0.0], [0.0, 1.0]].into_iter();
+            let ways: Vec<[f64; 2]> = axes.chain(weakest.into_iter().flat_map(turned_with)).collect();
+            let along: Vec<Result<f64, AssessError>> = ways
+                .par_iter()
+                .map(|way| self.along(*way, &each, limits))
+                .collect();
+            let along = along.into_iter().collect::<Result<Vec<f64>, _>>()?;
+            let any = along.iter().copied().fold(f64::INFINITY, f64::min);
+            for (together, least) in [along[0], along[1], any].into_iter().zip(&mut least) {
                 if together < least.0 {
                     *least = (together, None);
                 }
@@ -165,14 +166,20 @@ impl<'a> ModalDemand<'a> {
         }
         let (left, swaying) = (soil.factor(), swaying(each, way));
         let mut least = f64::INFINITY;
-        for way in [way, way.map(|part| -part)] {
-            let analysis = LimitAnalysis {
-                loads: limits.loads.clone(),
-                shaking: Shaking::Along(way),
-                swaying: Some(swaying.clone()),
-                ..LimitAnalysis::default()
-            };
-            let found = limit_analysis_undilated(self.stack, &analysis)?.analysis;
+        let found: Vec<_> = [way, way.map(|part| -part)]
+            .into_par_iter()
+            .map(|way| {
+                let analysis = LimitAnalysis {
+                    loads: limits.loads.clone(),
+                    shaking: Shaking::Along(way),
+                    swaying: Some(swaying.clone()),
+                    ..LimitAnalysis::default()
+                };
+                limit_analysis_undilated(self.stack, &analysis)
+            })
+            .collect();
+        for found in found {
+            let found = found?.analysis;
             least = match found.status {
                 LimitAnalysisStatus::DoesNotStand => 0.0,
                 LimitAnalysisStatus::Unlimited => least,

@@ -138,12 +138,17 @@ fn known_against_site(
     modes: Option<&[StackMode]>,
     known: &KnownMotion,
 ) -> Result<Option<StackDemandCheck>, AssessError> {
-    let with = match against_site(stack, options, site, modes, known.with_loads)? {
-        Some(with) if stack.is_pressed() => with,
-        with => return Ok(with),
-    };
+    let own = || against_site(stack, options, site, modes, known.with_loads);
+    if !stack.is_pressed() {
+        return own();
+    }
     let without = stack.clone().without_static_loads();
-    let free = against_site(&without, options, site, modes, known.without_loads)?;
+    let (with, free) = rayon::join(own, || {
+        against_site(&without, options, site, modes, known.without_loads)
+    });
+    let (Some(with), free) = (with?, free?) else {
+        return Ok(None);
+    };
     let ratio = |of: &StackDemandCheck| of.least_ratio().unwrap_or(f64::INFINITY);
     let worse = free.filter(|free| {
         let (own, other) = (severity(&free.verdict), severity(&with.verdict));

@@ -2,9 +2,9 @@
 
 use super::cuts::{SupportRelation, carries, is_statically_determinate};
 use super::limit_options::Holding;
-use super::limit_pieces::{Law, PossibleForce};
 use super::limit_toes::{JointForce, toes};
 use super::loads::{Load, together};
+use super::possible_force::{Law, PossibleForce};
 use crate::structure::stack::{Joint, Stack};
 use glam::DVec3;
 

@@ -1,5 +1,6 @@
 //! Builds the matrix of a conic programme from the possible forces.
 
+use super::held_friction::HeldDisc;
 use super::limit_pushes::{Column, Push};
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::SupportedConeT;
@@ -13,8 +14,8 @@ pub(super) struct Build {
 }
 
 impl Build {
-    /// Adds the forces of a push; of its stress blocks, those that are chosen.
-    pub(super) fn push(&mut self, push: &Push, chosen: &[usize]) {
+    /// Adds the forces of a push; of its stress blocks and discs, those that are chosen.
+    pub(super) fn push(&mut self, push: &Push, chosen: &[usize], discs: &[HeldDisc]) {
         match push {
             Push::Cone(parts) => {
                 for part in parts {
@@ -34,6 +35,20 @@ impl Build {
                 for toe in chosen.iter().map(|&toe| &toes[toe]) {
                     self.columns[variable].push((self.next, -toe.share));
                     for part in &toe.parts {
+                        self.row(part);
+                    }
+                    self.cones.push(SupportedConeT::SecondOrderConeT(3));
+                }
+            }
+            Push::Held(held) => {
+                // the slip rate of the joint, weighted by its whole friction
+                self.costs.push(held.strength);
+                self.columns.push(Vec::new());
+                let variable = self.columns.len() - 1;
+                for disc in discs {
+                    self.columns[variable].push((self.next, -1.0));
+                    self.next += 1;
+                    for part in &disc.parts {
                         self.row(part);
                     }
                     self.cones.push(SupportedConeT::SecondOrderConeT(3));

@@ -1,12 +1,14 @@
 //! Divides the equilibrium of a stack into independent pieces.
 
 use super::SwayingForces;
+use super::chosen_toes::{ChosenToes, UsedToes};
 use super::cuts::{SupportRelation, carries};
 use super::limit_programme::{AccelerationSet, Programme, Terms, settings};
-use super::limit_pushes::{Column, Push, ToePush};
+use super::limit_pushes::{Column, HeldFriction, Push, ToePush};
 use super::limit_region::{Symmetry, candidates, group, is_among, turned};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
+use super::possible_force::{Law, PossibleForce};
 use crate::structure::stack::{Body, Stack};
 use clarabel::solver::DefaultSettings;
 use glam::DVec3;
@@ -15,51 +17,6 @@ use glam::DVec3;
 const ROUNDING: f64 = 1e-13;
 /// Relative difference below which positions and loads count as equal. Our choice: the limit changes by no more.
 const SAME: f64 = 1e-9;
-
-/// Possible forces of a joint or tie at one point: on a block, with the opposite forces on the body below.
-#[derive(Clone, Copy)]
-pub(super) struct PossibleForce {
-    /// Index of its link: the joints, then the ties.
-    pub(super) link: usize,
-    pub(super) at: DVec3,
-    /// First the normal of a joint or the axis of a tie, along which it pushes its block; then two perpendicular axes.
-    pub(super) axes: [DVec3; 3],
-    pub(super) law: Law,
-}
-
-/// The law of possible forces.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Law {
-    /// Push along the first axis; across it at most the friction coefficient times as much.
-    Friction(f64),
-    /// Push along the first axis; across it at most the friction coefficient times as much. All toes of a joint together carry at most its
-    /// full capacity.
-    Toe {
-        friction: f64,
-        /// Capacity of this toe alone, N.
-        capacity_n: f64,
-    },
-    /// Any force across the first axis up to this value, N.
-    Shear(f64),
-    /// Pull against the first axis up to this value, N.
-    Pull(f64),
-}
-
-impl Law {
-    /// Whether two laws are equal within rounding of a capacity.
-    fn is_like(self, other: Law) -> bool {
-        match (self, other) {
-            (
-                Law::Toe { friction, capacity_n },
-                Law::Toe {
-                    friction: of_other,
-                    capacity_n: other_n,
-                },
-            ) => friction == of_other && (capacity_n - other_n).abs() <= SAME * capacity_n,
-            _ => self == other,
-        }
-    }
-}
 
 /// The growing load.
 #[derive(Clone, Copy)]
@@ -184,13 +141,23 @@ impl Piece {
         within: AccelerationSet,
         settings: DefaultSettings<f64>,
     ) -> Programme<'_> {
-        Programme::new(Terms {
+        Programme::new(self.terms(within, settings))
+    }
+
+    /// The programme that begins with the stress blocks of earlier ones.
+    pub(super) fn programme_after(&self, used: &UsedToes, within: AccelerationSet) -> Programme<'_> {
+        let chosen = ChosenToes::used(&self.pushes, &self.links, used);
+        Programme::with(self.terms(within, settings()), chosen)
+    }
+
+    fn terms(&self, within: AccelerationSet, settings: DefaultSettings<f64>) -> Terms<'_> {
+        Terms {
             at_rest: &self.at_rest,
             shaking: [&self.shaking[0], &self.shaking[1]],
             pushes: &self.pushes,
             within,
             settings,
-        })
+        }
     }
 }
 
@@ -202,13 +169,15 @@ struct PiecePushes {
     links: Vec<usize>,
     /// The link of the last push, if it is a toe.
     toes_of: Option<usize>,
+    /// The link of the last push, if it is held friction.
+    held_of: Option<usize>,
 }
 
 impl PiecePushes {
     /// Adds a possible force; `column` gives the equilibrium terms of a unit force along an axis.
     fn add(&mut self, act: &PossibleForce, unit: f64, column: impl Fn(DVec3) -> Column) {
         let [normal, first_way, second_way] = act.axes;
-        let mut toes_of = None;
+        let (mut toes_of, mut held_of) = (None, None);
         let push = match act.law {
             Law::Friction(0.0) => Push::Normal(column(normal)),
             Law::Friction(mu) => {
@@ -229,9 +198,23 @@ impl PiecePushes {
                 Push::Toes(vec![toe])
             }
             Law::Shear(strength) => Push::Disc([column(first_way), column(second_way)], strength / unit),
+            Law::Held(strength) => {
+                let point = [column(first_way), column(second_way)];
+                held_of = Some(act.link);
+                let is_next = self.held_of == held_of;
+                if let Some(Push::Held(held)) = self.pushes.last_mut().filter(|_| is_next) {
+                    held.points.push(point);
+                    held.strength += strength / unit;
+                    return;
+                }
+                Push::Held(HeldFriction {
+                    strength: strength / unit,
+                    points: vec![point],
+                })
+            }
             Law::Pull(strength) => Push::Pull(column(-normal), strength / unit),
         };
-        self.toes_of = toes_of;
+        (self.toes_of, self.held_of) = (toes_of, held_of);
         self.pushes.push(push);
         self.units.push(unit);
         self.links.push(act.link);

@@ -151,8 +151,8 @@ impl Terms<'_> {
             AccelerationSet::Plane => add(&[[1.0, 0.0], [0.0, 1.0]]),
             AccelerationSet::Line(way) => add(&[way]),
         }
-        for (push, chosen) in self.pushes.iter().zip(chosen.of_pushes()) {
-            build.push(push, chosen);
+        for (push, (toes, discs)) in self.pushes.iter().zip(chosen.of_pushes()) {
+            build.push(push, toes, discs);
         }
         build
     }
@@ -162,6 +162,11 @@ impl<'a> Programme<'a> {
     /// Builds the programme.
     pub(super) fn new(terms: Terms<'a>) -> Self {
         let chosen = ChosenToes::first(terms.pushes);
+        Programme::with(terms, chosen)
+    }
+
+    /// Builds the programme with these stress blocks.
+    pub(super) fn with(terms: Terms<'a>, chosen: ChosenToes) -> Self {
         let conic = Conic::of(terms.build(&chosen));
         Programme {
             solver: conic.solver(terms.settings.clone()),
@@ -170,6 +175,11 @@ impl<'a> Programme<'a> {
             is_other: false,
             conic,
         }
+    }
+
+    /// The stress blocks that it has.
+    pub(super) fn into_chosen(self) -> ChosenToes {
+        self.chosen
     }
 
     /// Builds the programme again, with the stress blocks chosen since.
@@ -181,7 +191,7 @@ impl<'a> Programme<'a> {
 
     /// Number of unknown forces and accelerations, with all stress blocks.
     pub(super) fn unknowns(&self) -> usize {
-        self.conic.right.len() + 3 * self.chosen.left_out(self.terms.pushes)
+        self.conic.right.len() + self.chosen.unknowns_left_out(self.terms.pushes)
     }
 
     /// The programme with all stress blocks.
@@ -190,6 +200,12 @@ impl<'a> Programme<'a> {
         self.chosen.all(self.terms.pushes);
         self.renew();
         self
+    }
+
+    /// Number of unknown forces and accelerations that are included.
+    #[cfg(test)]
+    pub(super) fn rows(&self) -> usize {
+        self.conic.right.len()
     }
 
     /// Number of stress blocks that are not included.
@@ -307,14 +323,22 @@ impl<'a> Programme<'a> {
             AccelerationSet::Line(_) => 2,
         };
         let mut forces = Vec::with_capacity(self.terms.pushes.len());
-        for (push, chosen) in self.terms.pushes.iter().zip(self.chosen.of_pushes()) {
+        for (push, (toes, discs)) in self.terms.pushes.iter().zip(self.chosen.of_pushes()) {
             let (force, rows) = match push {
                 Push::Cone(_) => ([z[row], z[row + 1], z[row + 2]], 3),
                 Push::Normal(_) => ([z[row], 0.0, 0.0], 1),
                 Push::Toes(_) => {
-                    let each = z[row + 1..row + 1 + 3 * chosen.len()].chunks_exact(3);
+                    let each = z[row + 1..row + 1 + 3 * toes.len()].chunks_exact(3);
                     let sum = each.fold([0.0; 3], |sum, toe| std::array::from_fn(|k| sum[k] + toe[k]));
-                    (sum, 1 + 3 * chosen.len())
+                    (sum, 1 + 3 * toes.len())
+                }
+                Push::Held(_) => {
+                    let each = z[row..row + 3 * discs.len()].chunks_exact(3);
+                    let sum = each.zip(discs).fold([0.0; 2], |sum, (force, disc)| {
+                        let [x, y] = disc.resultant([force[1], force[2]]);
+                        [sum[0] + x, sum[1] + y]
+                    });
+                    ([0.0, sum[0], sum[1]], 3 * discs.len())
                 }
                 Push::Disc(_, strength) => {
                     let first = row + usize::from(strength.is_finite());
@@ -457,7 +481,7 @@ pub(super) fn least_pull(
     let most = units.iter().copied().fold(0.0, f64::max);
     let mut opens = vec![0.0; rows];
     for (push, unit) in pushes.iter().zip(units) {
-        build.push(push, &[]);
+        build.push(push, &[], &[]);
         if let Push::Cone([normal, ..]) | Push::Normal(normal) = push {
             for &(row, value) in normal {
                 opens[row] -= value * most / unit;

@@ -11,6 +11,8 @@ pub(super) enum Push {
     Normal(Column),
     /// All stress blocks of one joint, each in Coulomb's cone; the sum of their forces over their single capacities is at most 1.
     Toes(Vec<ToePush>),
+    /// Friction of given size at many points of one joint.
+    Held(HeldFriction),
     /// Any direction in a plane up to a strength (over the weight), which may be infinite.
     Disc([Column; 2], f64),
     /// Tension only, up to a strength (over the weight), which may be infinite.
@@ -21,11 +23,19 @@ impl Push {
     /// Whether its force has a limit beside its cone: the programme then has a variable for it.
     pub(super) fn is_bounded(&self) -> bool {
         match self {
-            Push::Toes(_) => true,
+            Push::Toes(_) | Push::Held(_) => true,
             Push::Disc(_, strength) | Push::Pull(_, strength) => strength.is_finite(),
             Push::Cone(_) | Push::Normal(_) => false,
         }
     }
+}
+
+/// Friction of given size at the points of one joint, shared equally.
+pub(super) struct HeldFriction {
+    /// Friction of all points together, over the weight.
+    pub(super) strength: f64,
+    /// For each point, the columns of unit forces along two directions of the plane.
+    pub(super) points: Vec<[Column; 2]>,
 }
 
 /// One stress block: the columns of its cone, and the fraction of the joint's capacity per unit of force.

@@ -90,7 +90,7 @@ pub struct MovedSupports {
 }
 
 impl MovedSupports {
-    /// Slip in closed joints, over the size of the stack, above which the movement at collapse depends on friction. Our choice.
+    /// Slip in closed joints divided by the size of the stack: above this value, the movement at collapse depends on friction. Our choice.
     pub const SLIP_TELLS: f64 = 1e-3;
     /// Factor on the given movement below which a standing stack is marginal. Our choice, as for loads.
     pub const MARGINAL_BELOW: f64 = 1.5;
@@ -376,7 +376,8 @@ impl<'a> Path<'a> {
         NAMED_LEAST * most.max(NAMED_OF_MOVEMENT * far)
     }
 
-    /// Closed corners of a contact: the nearest one, and those with a gap that the slip of the last step can explain.
+    /// Closed corners of a contact: the nearest one and those about as near; none if even the nearest gap is more than the slip of the last step
+    /// can explain.
     fn closed<'c>(&self, contact: &'c Contact) -> Vec<&'c Corner> {
         let least = self.closed_below();
         let nearest = contact.corners.iter().map(|corner| corner.gap);
