@@ -155,7 +155,7 @@ messages! {
             ko: "{path} = {written}은(는) 접합부 위 무게 × 높이({product})의 {share}배이다",
         },
         FrictionHoldsSmallPart => {
-            en: "friction holds a small part of that; is it in N m or kN m? A bare number is in units.moment, N m without it",
+            en: "friction holds a small part of that; is it in N m or kN m? A number without a unit is in units.moment, or in N m if that is not given",
             ko: "마찰은 그 일부만 저항한다. 단위가 N m, kN m 중 어느 것인가? 단위 없는 수는 units.moment, 그것도 없으면 N m이다",
         },
         IsGivenButWidth(path: String) => {
@@ -223,7 +223,7 @@ messages! {
             ko: "단위 없는 수는 units.length, 그것도 없으면 m이다. mm로 쓴 값인가?",
         },
         SoilModulusInPa => {
-            en: "is it in Pa, kPa or MPa? A shear wave of 150 m/s in 1800 kg/m3 has 40 MPa. A bare number is in units.stress, Pa without it",
+            en: "is it in Pa, kPa or MPa? A shear wave of 150 m/s in 1800 kg/m3 has 40 MPa. A number without a unit is in units.stress, or in Pa if that is not given",
             ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 전단파속도 150 m/s, 밀도 1800 kg/m3이면 40 MPa이다. 단위 없는 수는 units.stress, 그것도 없으면 Pa이다",
         },
         StoneOfTooMany(links: usize) => {
@@ -251,7 +251,7 @@ messages! {
             ko: "{path} = {written}인데 석재는 0.5~250 GPa이다",
         },
         ModulusInPa => {
-            en: "is it in Pa, MPa or GPa? A bare number is in units.stress, Pa without it",
+            en: "is it in Pa, MPa or GPa? A number without a unit is in units.stress, or in Pa if that is not given",
             ko: "단위가 Pa, MPa, GPa 중 어느 것인가? 단위 없는 수는 units.stress, 그것도 없으면 Pa이다",
         },
         DensityOfNoStone { path: String, written: String } => {

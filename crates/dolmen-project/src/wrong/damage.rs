@@ -64,6 +64,10 @@ messages! {
             ko: "구한 강성을 파일에 적는다(dolmen identify --write)",
         },
         NoStiffness => { en: "its stiffness is not known", ko: "강성을 알 수 없다" },
+        RigidBeds => {
+            en: "columns alone hold the storey, and their beds are rigid (no bed_stiffness)",
+            ko: "기둥만으로 지지하는 층인데 기둥 밑이 강체이다(bed_stiffness 없음)",
+        },
         GiveStiffness => { en: "give the stiffness, or leave the damage out of the model", ko: "강성을 주거나 손상을 모델에서 뺀다" },
         NoBed => { en: "the width of its bed is not given", ko: "접합면의 폭(bed_width)이 없다" },
         GiveBed => { en: "give bed_width of the link", ko: "부재의 bed_width를 준다" },

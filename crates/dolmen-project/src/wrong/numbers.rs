@@ -103,6 +103,10 @@ messages! {
             ko: "\"identified\"는 대안 밖에 쓰고, 대안에는 수를 쓴다",
         },
         SurveysOfFile(known: String) => { en: "it has: {known}", ko: "파일에 있는 조사: {known}" },
+        LeaveScatterOut => {
+            en: "samples do not draw it: leave cov or sd out",
+            ko: "이 값은 표본으로 추출하지 않는다. cov나 sd를 삭제한다",
+        },
         CovOrSd => { en: "keep one of them: cov = sd / value", ko: "둘 중 하나만 남긴다. cov = sd / value" },
         HasScatter { path: String, written: String } => {
             en: "{path} = {written} has a scatter",

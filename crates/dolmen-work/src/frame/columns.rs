@@ -105,13 +105,37 @@ pub(super) fn columns(
     Ok(all)
 }
 
-/// Drift ratio at the largest resistance of the columns, for storeys that only columns support in a direction; `None` for other storeys.
-/// Beyond it, springs with the stiffness of the beds no longer represent the columns.
-pub(super) fn alone_most(
+/// Columns that alone support a storey in a direction. Springs with the stiffness of their beds represent them up to `uplift`. All drifts are
+/// over the height of the storey, and 0 if the columns do not stand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AloneStorey {
+    /// The columns.
+    pub columns: FreeColumns,
+    /// Drift ratio at which feet lift off.
+    pub uplift: f64,
+    /// Drift ratio at the largest resistance.
+    pub most: f64,
+    /// Drift ratio at which there is no resistance left.
+    pub falls: f64,
+    /// Tilt, horizontal over vertical, with which the weight exceeds the largest resistance.
+    pub overturns: f64,
+}
+
+impl AloneStorey {
+    /// Drift ratio at which the columns balance their weight with this tilt; `None` if it overturns them.
+    pub(super) fn balance(&self, tilt: f64, height_m: f64) -> Result<Option<f64>, WorkError> {
+        let push_n = self.columns.axial_n() * tilt.abs();
+        let drift_m = self.columns.drift_under_m(push_n)?;
+        Ok(drift_m.map(|drift_m| drift_m / height_m))
+    }
+}
+
+/// The storeys that only columns support in a direction; `None` for other storeys.
+pub(super) fn alone_storeys(
     part: &FramePart,
     direction: &str,
     pick: Pick<'_>,
-) -> Result<Vec<Option<f64>>, WorkError> {
+) -> Result<Vec<Option<AloneStorey>>, WorkError> {
     let frame = part.build(pick)?;
     let own = part.directions.iter().find(|own| own.name == direction);
     let stiffness = own.and_then(|own| own.stiffness.as_ref());
@@ -122,9 +146,18 @@ pub(super) fn alone_most(
             all.push(None);
             continue;
         };
-        let standing = columns.build(storey, pick)?.standing()?;
-        let most = standing.map_or(0.0, |standing| standing.greatest.drift_m / storey.height_m);
-        all.push(Some(most));
+        let columns = columns.build(storey, pick)?;
+        let standing = columns.standing()?;
+        let ratio = |of: fn(&ColumnStanding) -> ColumnPoint| {
+            standing.map_or(0.0, |standing| of(&standing).drift_m / storey.height_m)
+        };
+        all.push(Some(AloneStorey {
+            uplift: ratio(|of| of.uplift),
+            most: ratio(|of| of.greatest),
+            falls: ratio(|of| of.falls),
+            overturns: standing.map_or(0.0, |standing| standing.greatest.force_n / columns.axial_n()),
+            columns,
+        }));
     }
     Ok(all)
 }

@@ -1,8 +1,12 @@
 //! A frame on its free-standing columns alone, over time: rigid columns that rock under a rigid beam.
 
+use super::together::Leaning;
 use crate::error::WorkError;
-use dolmen::dynamics::{Rocking, RockingBlock, RockingHistory, RockingOutcome, TimeFunction, rock_block};
-use dolmen_project::{FramePart, Pick};
+use dolmen::dynamics::{
+    ColumnHistory, ColumnOutcome, ColumnRun, Rocking, RockingBlock, RockingHistory, RockingOutcome,
+    TimeFunction, rock_block, rock_on_beds,
+};
+use dolmen_project::{FramePart, Quantity};
 
 /// Result of a simulation for the free-standing columns of a frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,8 +15,10 @@ pub enum ColumnsInMotion {
     Absent,
     /// The frame has such columns, but several storeys.
     SeveralStoreys,
-    /// The frame has such columns, but their beds are compliant: rigid columns would stand too long.
-    OnBeds,
+    /// The frame has such columns on compliant beds, where rigid columns would stand too long, beside joints and walls.
+    BesideJoints,
+    /// The motion of the frame on such columns on compliant beds, which alone support it.
+    OnBeds(Box<ColumnsOnBeds>),
     /// The frame has such columns, but the ground moves along x and y: rolling on a corner or around the edge is not
     /// modelled.
     BothComponents,
@@ -53,14 +59,66 @@ impl ColumnsAlone {
     }
 }
 
+/// A frame of one storey that moves on its columns alone, on compliant beds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColumnsOnBeds {
+    /// Number of columns.
+    pub count: usize,
+    /// Their height, m.
+    pub height_m: f64,
+    /// The options of the run.
+    pub run: ColumnRun,
+    /// The history.
+    pub history: ColumnHistory,
+}
+
+impl ColumnsOnBeds {
+    /// Whether they fell.
+    pub fn falls(&self) -> bool {
+        matches!(self.history.outcome, ColumnOutcome::Fell { .. })
+    }
+
+    /// Whether feet lifted off.
+    pub fn lifts_off(&self) -> bool {
+        self.history.uplift_s.is_some()
+    }
+
+    /// Whether the motion could be followed to its end.
+    pub fn is_followed(&self) -> bool {
+        self.history.outcome != ColumnOutcome::NotConverged
+    }
+}
+
+/// The columns that alone support a frame of one storey, under a component of a motion; `None` for another frame.
+pub(super) fn on_beds(
+    leaning: &Leaning,
+    ground: &TimeFunction,
+    (duration_s, output_step_s): (f64, f64),
+) -> Result<Option<ColumnsOnBeds>, WorkError> {
+    let ([Some(alone)], [storey]) = (leaning.alone.as_slice(), leaning.frame.frame().storeys()) else {
+        return Ok(None);
+    };
+    let run = ColumnRun {
+        damping_ratio: leaning.damping_ratio,
+        tilt: leaning.tilt,
+        output_step_s,
+        ..ColumnRun::of(storey.mass_kg, duration_s)
+    };
+    Ok(Some(ColumnsOnBeds {
+        count: alone.columns.count(),
+        height_m: storey.height_m,
+        history: rock_on_beds(&alone.columns, ground, &run)?,
+        run,
+    }))
+}
+
 /// Simulates the frame on its columns alone, for the duration of the frame's own run; no run with two components.
 pub(super) fn columns_in_motion(
-    part: &FramePart,
+    (part, direction): (&FramePart, &str),
     ground: Option<&TimeFunction>,
-    duration_s: f64,
-    output_step_s: f64,
-    pick: Pick<'_>,
+    (duration_s, output_step_s): (f64, f64),
 ) -> Result<ColumnsInMotion, WorkError> {
+    let pick = &mut Quantity::nominal;
     if part.storeys.iter().all(|storey| storey.columns.is_none()) {
         return Ok(ColumnsInMotion::Absent);
     }
@@ -73,8 +131,13 @@ pub(super) fn columns_in_motion(
     let Some(columns) = &storey.columns else {
         return Ok(ColumnsInMotion::Absent);
     };
+    let leaning = Leaning::of(part, direction, pick)?;
+    let run = leaning.map(|leaning| on_beds(&leaning, ground, (duration_s, output_step_s)));
+    if let Some(run) = run.transpose()?.flatten() {
+        return Ok(ColumnsInMotion::OnBeds(Box::new(run)));
+    }
     if columns.bed_stiffness.is_some() {
-        return Ok(ColumnsInMotion::OnBeds);
+        return Ok(ColumnsInMotion::BesideJoints);
     }
     let (width_m, height_m) = (pick(columns.foot.width()), pick(&storey.height));
     // the file does not give the weight of the columns; as in the check, all mass is in the beam

@@ -1,6 +1,6 @@
 //! A frame that leans as surveyed, at rest.
 
-use super::columns::StoreyColumns;
+use super::columns::{StoreyColumns, alone_storeys};
 use crate::error::WorkError;
 use dolmen::assess::demand::DRIFT_RATIO_MOST;
 use dolmen::stability::frame_lean_at_rest;
@@ -14,7 +14,8 @@ pub struct DirectionLean {
     pub tilt: f64,
     /// Lean of each storey at rest under its weight, lowest first: the larger of sticking and slipping joints.
     pub at_rest: Vec<f64>,
-    /// Lean at which each storey has fallen: the limit of small drifts, or the fall of its free-standing columns.
+    /// Lean at which each storey has fallen: the limit of small drifts, or the fall of its free-standing columns. Where columns alone support
+    /// it, the lean at rest in proportion to the tilt that overturns them.
     pub most: Vec<f64>,
 }
 
@@ -33,11 +34,14 @@ impl DirectionLean {
             let own = columns.iter().find(|own| own.storey == storey + 1)?;
             Some(own.standing.map_or(0.0, |standing| standing.falls.drift_m) / own.height_m)
         };
-        let most =
-            |storey: usize| falls(storey).map_or(DRIFT_RATIO_MOST, |falls| falls.min(DRIFT_RATIO_MOST));
+        let alone = alone_storeys(part, &direction.name, pick)?;
+        let most = |(storey, lean): (usize, &f64)| match &alone[storey] {
+            Some(alone) => lean.abs() * alone.overturns / tilt.abs(),
+            None => falls(storey).map_or(DRIFT_RATIO_MOST, |falls| falls.min(DRIFT_RATIO_MOST)),
+        };
         Ok(at_rest.map(|at_rest| DirectionLean {
             tilt,
-            most: (0..at_rest.len()).map(most).collect(),
+            most: at_rest.iter().enumerate().map(most).collect(),
             at_rest,
         }))
     }
@@ -54,7 +58,8 @@ impl DirectionLean {
     }
 }
 
-/// Lean of each storey at rest in a direction, the larger of sticking and slipping joints; `None` if it has no tilt, is unknown, or falls.
+/// Lean of each storey at rest in a direction, the larger of sticking and slipping joints, and by the force of the columns over drift where
+/// they alone support it; `None` if it has no tilt, is unknown, or falls. Columns that the tilt overturns lean to their fall.
 pub(super) fn leaning(
     part: &FramePart,
     frame: &Frame,
@@ -77,6 +82,14 @@ pub(super) fn leaning(
             if slipped.abs() > lean.abs() {
                 *lean = slipped;
             }
+        }
+    }
+    let alone = alone_storeys(part, &direction.name, pick)?;
+    for ((lean, alone), storey) in leans.iter_mut().zip(alone).zip(frame.storeys()) {
+        if let Some(alone) = alone {
+            let balance = alone.balance(tilt, storey.height_m)?;
+            let size = balance.map_or(alone.falls, |drift| drift) + tilt.abs();
+            *lean = size.copysign(tilt);
         }
     }
     Ok(Some(leans))

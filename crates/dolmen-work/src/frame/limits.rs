@@ -1,7 +1,7 @@
 //! Storey drifts of a frame compared with their allowable drift.
 
 use super::FrameSimulation;
-use super::columns::alone_most;
+use super::columns::{AloneStorey, alone_storeys};
 use super::lean::leaning;
 use super::loads::with_loads;
 use super::simulate::storey_names;
@@ -9,6 +9,7 @@ use super::tenons::bearing_n_m;
 use crate::error::WorkError;
 use crate::part_limit::{Compared, NotCompared, Part, PartLimit, WhyNotCompared};
 use dolmen::assess::demand::{DriftLimit, SiteDemand, frame_drifts_by_spectrum};
+use dolmen::stability::stack::DemandVerdict;
 use dolmen::structure::Frame;
 use dolmen_project::{DirectionPart, FramePart, Quantity};
 
@@ -43,18 +44,35 @@ pub(crate) fn by_spectrum(
             compared.not_compared.push(NotCompared { direction, why });
             continue;
         };
-        let alone = alone_most(part, name, &mut Quantity::nominal)?;
+        let alone = alone_storeys(part, name, &mut Quantity::nominal)?;
         let across = across(part, place, &at_rest);
-        let each = storeys.zip(drifts).zip(leans.into_iter().zip(across)).zip(alone);
-        compared
-            .parts
-            .extend(each.map(|((((storey, of), drift_m), (along, across)), most)| {
-                PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
-                    .at_most(most)
-                    .taking([along, across])
-            }));
+        let each = storeys.zip(drifts).zip(leans.into_iter().zip(across)).zip(&alone);
+        let mut lifts_off = false;
+        for ((((storey, of), drift_m), (along, across)), alone) in each {
+            let pushed = along.abs() - part.tilt(name).abs();
+            let compared_part = PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
+                .taking([along, across])
+                .at_most(alone.as_ref().map(|alone| left_of_most(alone, pushed)));
+            let is_linear = alone
+                .as_ref()
+                .is_none_or(|alone| compared_part.demand + pushed <= alone.uplift);
+            match is_linear || compared_part.verdict() == DemandVerdict::Below {
+                true => compared.parts.push(compared_part),
+                false => lifts_off = true,
+            }
+        }
+        if lifts_off {
+            let direction = Some(name.clone());
+            let why = WhyNotCompared::FeetLiftOff;
+            compared.not_compared.push(NotCompared { direction, why });
+        }
     }
     Ok(compared)
+}
+
+/// The drift ratio left up to the largest force of columns after what tilt and static loads push them at rest.
+fn left_of_most(alone: &AloneStorey, pushed: f64) -> f64 {
+    (alone.most - pushed.abs()).max(0.0)
 }
 
 /// Lean of each storey at rest in each direction.
@@ -124,7 +142,7 @@ fn drifts(
 
 impl FrameSimulation {
     /// The drift of each storey compared with its allowable drift, reduced by the surveyed lean; under two components also both directions
-    /// together.
+    /// together. Where columns alone support the frame and lift off, the larger drift of their springs and of their own curve counts.
     pub fn parts(&self) -> Vec<PartLimit> {
         let limit = self.drift_limit.as_ref();
         let together = self.lean.as_ref().map_or(0.0, |lean| lean.together);
@@ -132,13 +150,26 @@ impl FrameSimulation {
         let storeys = self.frame.frame().storeys();
         let heights_m: Vec<f64> = storeys.iter().map(|storey| storey.height_m).collect();
         let each = self.storeys.iter().zip(&heights_m).zip(&self.history.drift_peaks);
+        let rocked = self.on_beds().filter(|run| run.lifts_off());
         let mut all: Vec<PartLimit> = each
-            .zip(self.static_drifts.iter().zip(&self.columns_most))
-            .map(|(((name, height_m), peak), (pushed, most))| {
+            .zip(self.static_drifts.iter().zip(&self.columns_alone))
+            .map(|(((name, height_m), peak), (pushed, alone))| {
                 let part = Part::Storey(name.clone());
-                PartLimit::of_drift(part, &self.direction, peak.value_m / height_m, limit)
-                    .at_most(*most)
-                    .taking([self.tilt.abs() + pushed, across])
+                let lean = [self.tilt.abs() + pushed, across];
+                let of_spring = peak.value_m.abs() / height_m;
+                match (alone, rocked) {
+                    // the columns follow their own curve: up to the fall, and up to the limit if there is one
+                    (Some(alone), Some(rocked)) => {
+                        let drift = of_spring.max(rocked.history.peak_drift_m / height_m);
+                        let falls = limit.map(|_| (alone.falls - self.tilt.abs() - pushed).max(0.0));
+                        PartLimit::of_drift(part, &self.direction, drift, limit)
+                            .taking(lean)
+                            .at_most(falls)
+                    }
+                    (alone, _) => PartLimit::of_drift(part, &self.direction, of_spring, limit)
+                        .taking(lean)
+                        .at_most(alone.as_ref().map(|alone| left_of_most(alone, *pushed))),
+                }
             })
             .collect();
         if let Some(both) = self.together_once() {

@@ -17,8 +17,8 @@ pub(crate) mod together;
 mod wind;
 
 pub use beside::{FrameBeside, SensorBeside};
-pub use columns::{ColumnSwing, Springs, StoreyColumns};
-pub use columns_alone::{ColumnsAlone, ColumnsInMotion};
+pub use columns::{AloneStorey, ColumnSwing, Springs, StoreyColumns};
+pub use columns_alone::{ColumnsAlone, ColumnsInMotion, ColumnsOnBeds};
 pub use lean::DirectionLean;
 pub use simulation::FrameSimulation;
 pub use tenons::{SECANT_DRIFT_RATIO, StoreyTenons, TenonsCheck};

@@ -1,7 +1,7 @@
 //! A frame under a ground motion, in its directions of known stiffness.
 
 use super::beside::beside;
-use super::columns::alone_most;
+use super::columns::alone_storeys;
 use super::columns_alone::columns_in_motion;
 use super::loads::static_drifts;
 use super::together::{Plane, both_directions, has_both, horizontal, lean_together};
@@ -100,12 +100,12 @@ pub(crate) fn simulate(
             undamped: (!is_damped(part, &direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(&direction))),
             carried_n: version.project.loads.weight_n(&mut Quantity::nominal),
-            columns_most: alone_most(part, &direction, &mut Quantity::nominal)?,
             static_drifts: static_drifts(part, &direction)?,
             loads_left_out: left_out.wind || left_out.forces,
             tilt_left_out: left_out.tilt.clone(),
             beside: beside((motion, component), &direction, &frame, &history),
-            columns: columns_in_motion(part, ground, run_s, options.output_step_s, &mut Quantity::nominal)?,
+            columns: columns_in_motion((part, &direction), ground, (run_s, options.output_step_s))?,
+            columns_alone: alone_storeys(part, &direction, &mut Quantity::nominal)?,
             direction,
             frame,
             motion: motion.clone(),
@@ -180,8 +180,8 @@ fn in_both_directions(
         runs.extend(plane(part, (direction, component), motion, how)?);
     }
     let tilt = part.lean.as_ref().map_or(0.0, |lean| lean.together);
-    if let [((x, _), first), ((y, _), second)] = runs.as_mut_slice() {
-        lean_together([(first, part.tilt(x)), (second, part.tilt(y))], tilt);
+    if let [(_, first), (_, second)] = runs.as_mut_slice() {
+        lean_together([first, second], tilt);
     }
     let (mut together, mut histories) = (None, None);
     if let [(_, x), (_, y)] = runs.as_slice() {

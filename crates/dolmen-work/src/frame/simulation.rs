@@ -1,7 +1,7 @@
 //! The simulation of a frame, with its input.
 
 use super::beside::FrameBeside;
-use super::{ColumnsInMotion, FrameTogether};
+use super::{AloneStorey, ColumnsInMotion, ColumnsOnBeds, FrameTogether};
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
@@ -45,8 +45,8 @@ pub struct FrameSimulation {
     pub columns: ColumnsInMotion,
     /// Weight of its static loads, N; it moves with the frame.
     pub carried_n: f64,
-    /// Drift ratio at the largest resistance of the columns, for storeys that only columns support; `None` for other storeys.
-    pub columns_most: Vec<Option<f64>>,
+    /// The columns of storeys that only columns support; `None` for other storeys.
+    pub columns_alone: Vec<Option<AloneStorey>>,
     /// Drift ratio of each storey under the forces of static loads at rest, which reduces the allowable drift; infinite if the storey
     /// cannot resist them.
     pub static_drifts: Vec<f64>,
@@ -75,9 +75,40 @@ impl FrameSimulation {
         self.motion.motion.component_peak_m_s2(self.component)
     }
 
-    /// Whether a storey leaned beyond the validity of the model.
+    /// The run of the frame on its columns alone, on beds that give way; `None` without one.
+    pub fn on_beds(&self) -> Option<&ColumnsOnBeds> {
+        match &self.columns {
+            ColumnsInMotion::OnBeds(run) => Some(run),
+            ColumnsInMotion::Absent
+            | ColumnsInMotion::SeveralStoreys
+            | ColumnsInMotion::BesideJoints
+            | ColumnsInMotion::BothComponents
+            | ColumnsInMotion::Alone(_) => None,
+        }
+    }
+
+    /// The storey, 0 the lowest, whose columns alone support it, lift off, and are not followed beyond.
+    pub fn lifts_off_unfollowed(&self) -> Option<usize> {
+        if self.on_beds().is_some() {
+            return None;
+        }
+        let storeys = self.frame.frame().storeys();
+        let drift_m = |storey: usize| {
+            let own_m = self.history.drift_peaks[storey].value_m.abs();
+            let both_m = self.together.as_ref().and_then(|both| both.storeys.get(storey));
+            both_m.map_or(own_m, |both| both.drift_m.max(own_m))
+        };
+        let mut each = self.columns_alone.iter().enumerate();
+        each.find_map(|(storey, alone)| {
+            let beyond = drift_m(storey) / storeys[storey].height_m > alone.as_ref()?.uplift;
+            beyond.then_some(storey)
+        })
+    }
+
+    /// Whether a storey leaned beyond the validity of the model, or fell on its columns alone.
     pub fn falls(&self) -> bool {
-        matches!(self.history.outcome, FrameOutcome::DriftLimit { .. })
+        let rocks_over = self.on_beds().is_some_and(ColumnsOnBeds::falls);
+        rocks_over || matches!(self.history.outcome, FrameOutcome::DriftLimit { .. })
     }
 
     /// End of the run, s, if it is before that of the motion and no storey leaned too far: there is no verdict.
@@ -90,6 +121,7 @@ impl FrameSimulation {
     /// Whether the run is complete.
     pub fn is_whole(&self) -> bool {
         !matches!(self.history.outcome, FrameOutcome::Stopped { .. })
+            && self.on_beds().is_none_or(ColumnsOnBeds::is_followed)
             && self.ended_before_the_motion_s().is_none()
     }
 

@@ -1,15 +1,19 @@
 //! Runs of frames.
 
-use super::FrameTogether;
+use super::columns_alone::on_beds;
 use super::simulate::{is_damped, storey_names};
 use super::together::{Leaning, Plane, both_directions, has_both, is_in_plan, lean_together};
+use super::{AloneStorey, FrameTogether};
 use crate::at_rest::AtRest;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::told_both;
 use crate::wrong::CaseRefused;
-use dolmen::dynamics::{FrameHistory, FrameOutcome, simulate_frame, simulate_frame_in_plan};
+use dolmen::dynamics::{
+    ColumnOutcome, DynamicsError, FrameHistory, FrameOutcome, HarmonicPoint, TimeFunction, simulate_frame,
+    simulate_frame_in_plan,
+};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{FramePart, Pick, StudyPart};
 use dolmen_words::message::Both;
@@ -36,6 +40,71 @@ impl FrameModel {
         let planes = std::iter::once(&self.first).chain(&self.across);
         let mut planes = planes.zip(&self.directions);
         planes.any(|(plane, direction)| !is_damped(part, direction, &plane.frame))
+    }
+
+    /// The largest lean of a storey from which its runs start, as a run measures it without shaking: the surveyed tilt and the drift of its
+    /// weight on it, –.
+    ///
+    /// # Errors
+    /// [`WorkError`] if the range of values exceeds the precision of the numbers.
+    pub(crate) fn lean_at_rest(&self) -> Result<f64, WorkError> {
+        let drift_ratios = |of: &Leaning| -> Result<Vec<f64>, WorkError> {
+            let rest_m = of.frame.leaning(of.tilt)?.start_displacement_m;
+            let below_m = std::iter::once(&0.0).chain(&rest_m);
+            let drifts_m = rest_m.iter().zip(below_m).map(|(own, below)| own - below);
+            Ok(drifts_m
+                .zip(&self.heights_m)
+                .map(|(drift_m, height_m)| drift_m / height_m)
+                .collect())
+        };
+        let largest = |drifts: &[f64]| drifts.iter().fold(0.0, |most: f64, own| most.max(own.abs()));
+        let first = drift_ratios(&self.first)?;
+        let along = leaning(largest(&first), self.first.tilt, self.together);
+        let Some(second) = &self.across else {
+            return Ok(along);
+        };
+        let across = drift_ratios(second)?;
+        let both: Vec<f64> = first.iter().zip(&across).map(|(x, y)| x.hypot(*y)).collect();
+        let across = leaning(largest(&across), second.tilt, self.together);
+        Ok(along.max(across).max(largest(&both) + self.together))
+    }
+}
+
+/// The lean of a storey with this drift ratio in a direction that leans by `tilt`, with the tilt across it; `together` is that of all directions.
+fn leaning(drift_ratio: f64, tilt: f64, together: f64) -> f64 {
+    let across = (together * together - tilt * tilt).max(0.0).sqrt();
+    (drift_ratio + tilt.abs()).hypot(across)
+}
+
+impl FrameModel {
+    /// Counts points of a map as fallen where columns that alone support a storey lift off: springs of beds do not represent them beyond.
+    ///
+    /// # Errors
+    /// [`DynamicsError::SwingFalls`] for a release from beyond the lift-off.
+    pub(crate) fn limit_to_lift_off(
+        &self,
+        points: &mut [HarmonicPoint],
+        release_m: Option<f64>,
+    ) -> Result<(), DynamicsError> {
+        for point in points {
+            point.fell |= lifts_off(self, &self.first, &point.deformation);
+        }
+        let each = self.first.alone.iter().zip(&self.heights_m).enumerate();
+        for (storey, (alone, height_m)) in each {
+            let beyond = |displacement_m: &f64| {
+                alone
+                    .as_ref()
+                    .is_some_and(|alone| displacement_m / height_m > alone.uplift)
+            };
+            if let Some(displacement_m) = release_m.filter(beyond) {
+                return Err(DynamicsError::SwingFalls {
+                    displacement_m,
+                    storey: storey + 1,
+                    at_s: 0.0,
+                });
+            }
+        }
+        Ok(())
     }
 }
 
@@ -106,9 +175,9 @@ pub(crate) fn row_and_rest(
         SAMPLE_S,
     );
     let plane = |of: &Leaning, component| Plane::moving(of.clone(), (motion, component), span_s);
-    let refused = |why: &WorkError| Run {
+    let refused = |why: Both| Run {
         outcome: RunOutcome::Refused,
-        why: told_both(why),
+        why,
         ..run.clone()
     };
     let both = has_both(motion);
@@ -124,11 +193,11 @@ pub(crate) fn row_and_rest(
     });
     let (mut first, mut second) = match planes {
         Ok(planes) => planes,
-        Err(why) => return Some((refused(&why), None)),
+        Err(why) => return Some((refused(told_both(&why)), None)),
     };
     let tilt_y = model.across.as_ref().map_or(0.0, |across| across.tilt);
     if let (Some(second), true) = (&mut second, both) {
-        lean_together([(&mut first, model.first.tilt), (second, tilt_y)], model.together);
+        lean_together([&mut first, second], model.together);
         let moved = simulate_frame_in_plan(
             [&first.frame, &second.frame],
             [&first.load, &second.load],
@@ -137,7 +206,7 @@ pub(crate) fn row_and_rest(
         );
         let moved = match moved {
             Ok(moved) => moved,
-            Err(why) => return Some((refused(&why.into()), None)),
+            Err(why) => return Some((refused(told_both(&WorkError::from(why))), None)),
         };
         let directions = model.directions.each_ref().map(String::as_str);
         let together = FrameTogether::of(directions, [&first, second], &moved);
@@ -146,25 +215,90 @@ pub(crate) fn row_and_rest(
             measured(run.clone(), (model, model.first.tilt), x)?,
             measured(run.clone(), (model, tilt_y), y)?,
         ];
+        let leanings = [Some(&model.first), model.across.as_ref()];
+        let drifts_m: Vec<f64> = together.storeys.iter().map(|of| of.drift_m).collect();
+        let mut leanings = leanings.into_iter().flatten();
+        let lifts_off = leanings.any(|of| lifts_off(model, of, &drifts_m));
+        if lifts_off && each.iter().all(|of| of.outcome != RunOutcome::Fell) {
+            return Some((refused(CaseRefused::FeetLiftOff.into()), None));
+        }
         let rest = AtRest::of_frame(x).worse(AtRest::of_frame(y));
         return Some((joined(each, model, Some(&together)), Some(rest)));
     }
     let (mut all, mut rest) = (Vec::new(), None);
     let tilts = [model.first.tilt, tilt_y];
-    for (plane, tilt) in [Some(first), second].into_iter().flatten().zip(tilts) {
+    let leanings = std::iter::once(&model.first).chain(&model.across);
+    let planes = [Some(first), second].into_iter().flatten();
+    for ((plane, tilt), leaning) in planes.zip(tilts).zip(leanings) {
         match simulate_frame(&plane.frame, &plane.load, &plane.run, &mut goes_on) {
             Ok(history) => {
-                all.push(measured(run.clone(), (model, tilt), &history)?);
+                let of_springs = measured(run.clone(), (model, tilt), &history)?;
+                let ground = &plane.load.ground_acceleration_m_s2;
+                match on_columns(of_springs, (model, leaning), &history, (ground, span_s)) {
+                    Ok(measured) => all.push(measured),
+                    Err(why) => return Some((refused(why), None)),
+                }
                 let own = AtRest::of_frame(&history);
                 rest = Some(rest.map_or(own, |other: AtRest| other.worse(own)));
             }
-            Err(why) => return Some((refused(&why.into()), None)),
+            Err(why) => return Some((refused(told_both(&WorkError::from(why))), None)),
         }
     }
     match <[Run; 2]>::try_from(all) {
         Ok(each) => Some((joined(each, model, None), rest)),
         Err(one) => Some((one.into_iter().next()?, rest)),
     }
+}
+
+/// Whether a storey on columns alone drifts beyond the lift-off of their feet.
+fn lifts_off(model: &FrameModel, of: &Leaning, drifts_m: &[f64]) -> bool {
+    let ratios = drifts_m.iter().zip(&model.heights_m);
+    let mut each = ratios.zip(&of.alone);
+    each.any(|((drift_m, height_m), alone)| {
+        let beyond = |alone: &AloneStorey| drift_m.abs() / height_m > alone.uplift;
+        alone.as_ref().is_some_and(beyond)
+    })
+}
+
+/// The worse of a run on the springs of beds and of one on the force of columns over drift, where columns alone support a frame of one storey.
+/// An error gives the reason for no result: feet that lift off are not followed with several storeys, or in too irregular a motion.
+fn on_columns(
+    mut run: Run,
+    (model, leaning): (&FrameModel, &Leaning),
+    history: &FrameHistory,
+    (ground, span_s): (&TimeFunction, (f64, f64)),
+) -> Result<Run, Both> {
+    let columns = on_beds(leaning, ground, span_s).map_err(|why| told_both(&why))?;
+    let Some(columns) = columns else {
+        let drifts_m: Vec<f64> = history.drift_peaks.iter().map(|peak| peak.value_m).collect();
+        return match run.outcome != RunOutcome::Fell && lifts_off(model, leaning, &drifts_m) {
+            true => Err(CaseRefused::FeetLiftOff.into()),
+            false => Ok(run),
+        };
+    };
+    match columns.history.outcome {
+        ColumnOutcome::Stood => return Ok(run),
+        ColumnOutcome::Rocked => {}
+        ColumnOutcome::NotConverged => return Err(CaseRefused::Irregular.into()),
+        ColumnOutcome::Fell { at_s } => {
+            run.at_s = match run.outcome {
+                RunOutcome::Fell => run.at_s.min(at_s),
+                _ => at_s,
+            };
+            run.outcome = RunOutcome::Fell;
+            run.damage_state = 4;
+            run.part = model.storeys.first().cloned().unwrap_or_default();
+        }
+    }
+    if let RunMeasures::Frame(of) = &mut run.measures {
+        let peak_m = columns.history.peak_drift_m;
+        let more = (peak_m / columns.height_m - of.peak_drift_ratio).max(0.0);
+        of.peak_displacement_m = of.peak_displacement_m.max(peak_m);
+        of.peak_drift_m = of.peak_drift_m.max(peak_m);
+        of.peak_drift_ratio += more;
+        of.peak_lean_ratio += more;
+    }
+    Ok(run)
 }
 
 /// The worse of two runs, with the larger measures of both, as resultants if both components act.
@@ -226,12 +360,11 @@ fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHist
     let top = model.heights_m.len() - 1;
     let peak_drift_ratio =
         most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]);
-    let across = (model.together * model.together - tilt * tilt).max(0.0).sqrt();
     run.measures = RunMeasures::Frame(FrameMeasures {
         peak_displacement_m: history.displacement_peaks[top].value_m.abs(),
         peak_drift_m: most(&|storey| history.drift_peaks[storey].value_m.abs()),
         peak_drift_ratio,
-        peak_lean_ratio: (peak_drift_ratio + tilt.abs()).hypot(across),
+        peak_lean_ratio: leaning(peak_drift_ratio, tilt, model.together),
         residual_displacement_m: residual(top).abs(),
         residual_drift_m: most(&|storey| (residual(storey) - below(storey)).abs()),
         slipping_share: most(&|storey| history.slipping_share(storey)),

@@ -1,6 +1,6 @@
 //! Both directions of a frame under one motion: the component in each, and their joint response.
 
-use super::columns::alone_most;
+use super::columns::{AloneStorey, alone_storeys};
 use crate::error::WorkError;
 use crate::motion::MotionAnswer;
 use crate::part_limit::{Part, PartLimit};
@@ -38,11 +38,9 @@ fn left(most: f64, tilt: f64) -> f64 {
 }
 
 /// Two directions that move together: their joint tilt reduces the drift at which either has fallen.
-pub(crate) fn lean_together(planes: [(&mut Plane, f64); 2], together: f64) {
-    let most = |(plane, tilt): &(&mut Plane, f64)| plane.run.drift_ratio_most + tilt.abs();
-    let most = most(&planes[0]).min(most(&planes[1]));
-    for (plane, _) in planes {
-        plane.run.drift_ratio_most = left(most, together);
+pub(crate) fn lean_together(planes: [&mut Plane; 2], together: f64) {
+    for plane in planes {
+        plane.run.drift_ratio_most = left(DRIFT_RATIO_MOST, together);
     }
 }
 
@@ -61,6 +59,10 @@ pub(crate) struct Leaning {
     pub(crate) tilt: f64,
     /// Drift ratio up to which the frame model is valid.
     pub(crate) drift_ratio_most: f64,
+    /// The storeys that columns alone support; `None` for other storeys.
+    pub(super) alone: Vec<Option<AloneStorey>>,
+    /// Viscous damping ratio.
+    pub(super) damping_ratio: f64,
 }
 
 impl Leaning {
@@ -69,12 +71,21 @@ impl Leaning {
         let Some(frame) = part.with_friction(direction, pick)? else {
             return Ok(None);
         };
-        let alone = alone_most(part, direction, pick)?.into_iter().flatten();
+        let alone = alone_storeys(part, direction, pick)?;
         let tilt = part.tilt(direction);
+        // the force of columns depends on their drift from the lean without stress; one limit is for all storeys
+        let most = match alone.as_slice() {
+            [Some(alone)] => alone.most.max(f64::MIN_POSITIVE),
+            _ => DRIFT_RATIO_MOST,
+        };
+        let own = part.directions.iter().find(|own| own.name == direction);
+        let damping_ratio = own.and_then(|own| own.damping_ratio.as_ref());
         Ok(Some(Leaning {
             frame,
             tilt,
-            drift_ratio_most: left(alone.fold(DRIFT_RATIO_MOST, f64::min), tilt),
+            damping_ratio: damping_ratio.map_or(0.0, pick),
+            drift_ratio_most: left(DRIFT_RATIO_MOST, tilt).min(most),
+            alone,
         }))
     }
 }
@@ -100,6 +111,7 @@ impl Plane {
             frame,
             tilt,
             drift_ratio_most,
+            ..
         }: Leaning,
         (motion, component): (&GroundMotion, Component),
         (duration_s, output_step_s): (f64, f64),

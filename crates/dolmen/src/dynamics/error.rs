@@ -31,6 +31,9 @@ pub enum DynamicsError {
     /// An invalid building, or a place that is not on it.
     #[error(transparent)]
     Building(#[from] crate::structure::building::BuildingError),
+    /// Columns whose curve of force against drift is not found.
+    #[error(transparent)]
+    Columns(#[from] crate::stability::StabilityError),
     /// A list of the wrong length.
     #[error("{argument} has {given} entries, but the frame has {needed} storeys: give one for each")]
     Count {
@@ -210,6 +213,7 @@ impl DynamicsError {
         match self {
             Self::Building(why) => why.did_not_converge(),
             Self::Structure(why) => why.did_not_converge(),
+            Self::Columns(why) => why.did_not_converge(),
             Self::Linalg(why) => why.did_not_converge(),
             Self::Argument { .. }
             | Self::Storey { .. }

@@ -93,7 +93,34 @@ pub fn amplitude_dependence(
     Ok(found)
 }
 
-/// Steady response to harmonic ground motions: one point for each frequency and acceleration, in rows of equal frequency.
+/// Steady response of a plumb frame to harmonic ground motions: [`harmonic_map_of_leaning`] without a lean.
+///
+/// # Errors
+/// As for [`simulate_frame`].
+pub fn harmonic_map(
+    frame: &FrictionFrame,
+    frequencies_hz: &[f64],
+    ground_accelerations_m_s2: &[f64],
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<Vec<HarmonicPoint>, DynamicsError> {
+    let plumb = HarmonicStart {
+        tilt: 0.0,
+        drift_ratio_most: FrameRun::default().drift_ratio_most,
+    };
+    harmonic_map_of_leaning(frame, plumb, frequencies_hz, ground_accelerations_m_s2, progress)
+}
+
+/// The lean of a frame before harmonic ground motions, and the drift at which it has fallen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HarmonicStart {
+    /// Stress-free lean, horizontal over vertical: as in [`FrictionFrame::leaning`].
+    pub tilt: f64,
+    /// Drift over height of a storey, beyond the lean, at which it has fallen.
+    pub drift_ratio_most: f64,
+}
+
+/// Steady response to harmonic ground motions: one point for each frequency and acceleration, in rows of equal frequency. Drifts are relative to
+/// the leaning position, and include what the weight adds to the lean.
 ///
 /// `progress` receives the finished fraction. If it returns false, the map stops and the remaining points are missing.
 ///
@@ -103,8 +130,9 @@ pub fn amplitude_dependence(
 /// # Limits
 /// Each run has 40 cycles from rest, both of the ground and of the slowest mode of the frame; then 5 cycles of the ground are measured. A
 /// response that is not steady by then (beating, or chaotic) is marked.
-pub fn harmonic_map(
+pub fn harmonic_map_of_leaning(
     frame: &FrictionFrame,
+    start: HarmonicStart,
     frequencies_hz: &[f64],
     ground_accelerations_m_s2: &[f64],
     progress: &mut dyn FnMut(f64) -> bool,
@@ -116,7 +144,7 @@ pub fn harmonic_map(
             if !progress(points.len() as f64 / whole as f64) {
                 return Ok(points);
             }
-            points.push(harmonic_point(frame, frequency_hz, amplitude)?);
+            points.push(harmonic_point(frame, start, [frequency_hz, amplitude])?);
         }
     }
     Ok(points)
@@ -124,18 +152,25 @@ pub fn harmonic_map(
 
 fn harmonic_point(
     frame: &FrictionFrame,
-    frequency_hz: f64,
-    amplitude: f64,
+    start: HarmonicStart,
+    [frequency_hz, amplitude]: [f64; 2],
 ) -> Result<HarmonicPoint, DynamicsError> {
     let frequencies_hz = frame.frequencies_hz(Sliders::Slipping)?;
     let slowest_hz = frequencies_hz.into_iter().flatten().fold(frequency_hz, f64::min);
     let (ground, window) = harmonic_ground(frequency_hz, amplitude, slowest_hz);
-    let options = FrameRun {
+    let mut options = FrameRun {
         duration_s: Some(window.to_s),
         output_step_s: window.step_s,
+        drift_ratio_most: start.drift_ratio_most,
         ..FrameRun::default()
     };
-    let history = simulate_frame(frame, &FrameLoad::of_ground(ground), &options, &mut |_| true)?;
+    let mut load = FrameLoad::of_ground(ground);
+    if start.tilt != 0.0 {
+        let leaning = frame.leaning(start.tilt)?;
+        load.forces_n = leaning.forces_n;
+        options.start_displacement_m = leaning.start_displacement_m;
+    }
+    let history = simulate_frame(frame, &load, &options, &mut |_| true)?;
     let window = window.of_run(history.outcome == FrameOutcome::Finished, history.duration_s);
     let storeys = (0..frame.frame().storeys().len()).map(|storey| {
         let slips = history.slips.iter().filter(|slip| slip.storey == storey);

@@ -1,4 +1,5 @@
-//! Time histories that are exact between events: frames with dry friction, chains up to collapse, one rocking block.
+//! Time histories that are exact between events: frames with dry friction, chains up to collapse, one rocking block. Columns on
+//! compliant beds in steps.
 
 mod building;
 mod chain_friction;
@@ -15,6 +16,9 @@ mod chain_rotations;
 mod chain_run;
 mod chain_series;
 mod chain_studies;
+mod column_run;
+mod columns_on_beds;
+mod columns_steps;
 mod error;
 mod excitation;
 mod frame_events;
@@ -61,6 +65,8 @@ pub use chain_rigid::{ChainRigidJoint, lowest_turning_joint};
 pub use chain_rotations::ChainRotations;
 pub use chain_run::ChainRun;
 pub use chain_studies::chain_harmonic_map;
+pub use column_run::{ColumnDashpots, ColumnEnergy, ColumnHistory, ColumnOutcome, ColumnRun};
+pub use columns_on_beds::rock_on_beds;
 pub use error::DynamicsError;
 pub use excitation::{FrameLoad, TimeFunction};
 pub use frame_friction::{
@@ -72,7 +78,9 @@ pub use frame_lean::FrameLeaning;
 pub use frame_motion::simulate_frame;
 pub use frame_resultant::{FrameResultant, resultant_drifts};
 pub use frame_run::FrameRun;
-pub use frame_studies::{AtAmplitude, amplitude_dependence, harmonic_map};
+pub use frame_studies::{
+    AtAmplitude, HarmonicStart, amplitude_dependence, harmonic_map, harmonic_map_of_leaning,
+};
 pub use frame_tenon::{Tenon, TenonFace};
 pub use harmonic_map::HarmonicPoint;
 pub use linear_system::{LinearSystem, Pole, SystemModes};

@@ -90,6 +90,11 @@ impl FreeColumns {
         })
     }
 
+    /// n.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
     /// The total weight on the columns, N.
     pub fn axial_n(&self) -> f64 {
         self.axial_n
@@ -133,7 +138,42 @@ impl FreeColumns {
         Ok(bracketed_root(off, 0.0, most_rad, &Bracketing::default())?)
     }
 
+    /// Drift at which the columns balance a horizontal force, up to their largest resistance, m; `None` if they do not.
+    ///
+    /// # Errors
+    /// As [`FreeColumns::standing`].
+    pub fn drift_under_m(&self, force_n: f64) -> Result<Option<f64>, StabilityError> {
+        let rotation = self.rotation_under_rad(force_n)?;
+        Ok(rotation.map(|rotation| self.at(rotation).drift_m))
+    }
+
+    /// The rotation of that drift, rad.
+    pub(crate) fn rotation_under_rad(&self, force_n: f64) -> Result<Option<f64>, StabilityError> {
+        let standing = self.standing()?;
+        let Some(most) = standing
+            .map(|standing| standing.greatest)
+            .filter(|most| force_n < most.force_n)
+        else {
+            return Ok(None);
+        };
+        if force_n <= 0.0 {
+            return Ok(Some(0.0));
+        }
+        let off = |rotation: f64| self.restoring_n(rotation) - force_n;
+        Ok(Some(bracketed_root(
+            off,
+            0.0,
+            most.rotation_rad,
+            &Bracketing::default(),
+        )?))
+    }
+
     /// Resistance of the columns under weight alone; `None` if they do not stand.
+    ///
+    /// ```text
+    /// full contact: tan ψ = λ θ, λ = k_w/k_least      V = n N tan(ψ − θ) is largest at θ = √(λ − 1)/λ
+    /// ```
+    /// Where this is below the rotation of lift-off, columns with λ near 1 fall before their edges lift.
     ///
     /// # Errors
     /// [`StabilityError::Numeric`] if a root is not found; no such case is known.
@@ -146,12 +186,20 @@ impl FreeColumns {
                 falls: self.at(rigid_rad),
             }));
         };
-        if bed <= self.least_bed_stiffness_n_m3() {
+        let factor = bed / self.least_bed_stiffness_n_m3();
+        if factor <= 1.0 {
             return Ok(None);
         }
-        let uplift_rad = self.section.uplift_rotation_rad(bed, self.normal_n());
-        let greatest_rad = maximum_between(&|rotation| self.restoring_n(rotation), uplift_rad, rigid_rad);
         let balance = |rotation: f64| self.restoring_n(rotation);
+        let uplift_rad = self.section.uplift_rotation_rad(bed, self.normal_n());
+        let in_contact_rad = (factor - 1.0).sqrt() / factor;
+        let greatest_rad = match in_contact_rad < uplift_rad {
+            true => in_contact_rad,
+            false => maximum_between(&balance, uplift_rad, rigid_rad),
+        };
+        if balance(greatest_rad) <= 0.0 {
+            return Ok(None); // a factor that rounding does not tell from 1
+        }
         let falls_rad = bracketed_root(balance, greatest_rad, rigid_rad, &Bracketing::default())?;
         Ok(Some(ColumnStanding {
             uplift: self.at(uplift_rad),
@@ -203,17 +251,27 @@ impl FreeColumns {
         self.axial_n / self.count as f64
     }
 
-    pub(super) fn height_m(&self) -> f64 {
+    pub(crate) fn height_m(&self) -> f64 {
         self.height_m
     }
 
     /// V, N.
-    pub(super) fn restoring_n(&self, rotation_rad: f64) -> f64 {
+    pub(crate) fn restoring_n(&self, rotation_rad: f64) -> f64 {
         let lever = (2.0 * self.eccentricity_m(rotation_rad)).atan2(self.height_m);
         self.axial_n * (lever - rotation_rad).tan()
     }
 
-    pub(super) fn eccentricity_m(&self, rotation_rad: f64) -> f64 {
+    /// e′(θ) at θ ≥ 0, m; 0 on a rigid bed.
+    pub(crate) fn eccentricity_slope_m(&self, rotation_rad: f64) -> f64 {
+        let slope = |bed| {
+            self.section
+                .eccentricity_slope_m(bed, self.normal_n(), rotation_rad)
+        };
+        self.bed_stiffness_n_m3.map_or(0.0, slope)
+    }
+
+    /// e(θ) at θ ≥ 0, m.
+    pub(crate) fn eccentricity_m(&self, rotation_rad: f64) -> f64 {
         match self.bed_stiffness_n_m3 {
             None => 0.5 * self.section.width_m(),
             Some(bed) => {
@@ -251,5 +309,33 @@ impl FreeColumns {
         }
         cuts.push(high);
         cuts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_columns_that_hardly_stand_fall_in_full_contact() {
+        let of = |factor: f64| {
+            let section = FootSection::Circle { diameter_m: 0.5 };
+            let rigid = FreeColumns::new(4, section, 4.0, 294e3, None).unwrap();
+            let bed = factor * rigid.least_bed_stiffness_n_m3();
+            FreeColumns::new(4, section, 4.0, 294e3, Some(bed)).unwrap()
+        };
+        // tan θ = λ θ at the fall; the greatest resistance at tan ψ = λ θ, ψ′ = 1
+        for factor in [1.0 + 1e-9, 1.0001, 1.0003] {
+            let found = of(factor).standing().unwrap().unwrap();
+            let falls = found.falls.rotation_rad;
+            assert!((falls.tan() / falls - factor).abs() < 1e-12, "{factor} {found:?}");
+            let greatest = found.greatest.rotation_rad * factor;
+            assert!((greatest - (factor - 1.0).sqrt()).abs() < 1e-12 && falls < found.uplift.rotation_rad);
+        }
+        // beyond, the edges lift first; both sides of the change agree
+        let beyond = of(1.001).standing().unwrap().unwrap();
+        assert!(beyond.uplift.rotation_rad < beyond.greatest.rotation_rad);
+        assert!(of(1.0 + 2.0 * f64::EPSILON).standing().is_ok());
+        assert_eq!(of(1.0).standing().unwrap(), None);
     }
 }

@@ -111,6 +111,36 @@ impl FootSection {
     }
 }
 
+impl FootSection {
+    /// de/dθ of a foot with load N at a rotation θ ≥ 0, m.
+    ///
+    /// ```text
+    /// θ ≤ θ0:     k_w I/N
+    /// rectangle:  c/(6 θ)
+    /// circle:     (e − R m′/n′)/θ,   m′/n′ = ⅔ sin³φ/(φ − sin φ cos φ)       from dn/dθ = −n/θ
+    /// ```
+    pub(super) fn eccentricity_slope_m(
+        &self,
+        bed_stiffness_n_m3: f64,
+        normal_n: f64,
+        rotation_rad: f64,
+    ) -> f64 {
+        if rotation_rad <= self.uplift_rotation_rad(bed_stiffness_n_m3, normal_n) {
+            return bed_stiffness_n_m3 * self.second_moment_m4() / normal_n;
+        }
+        let pressure = self.pressure(bed_stiffness_n_m3, normal_n, rotation_rad);
+        match *self {
+            FootSection::Rectangle { .. } => pressure.contact_m / (6.0 * rotation_rad),
+            FootSection::Circle { diameter_m } => {
+                let phi = 2.0 * (pressure.contact_m / diameter_m).sqrt().min(1.0).asin();
+                let sin = phi.sin();
+                let edge_m = 0.5 * diameter_m * 2.0 / 3.0 * sin.powi(4) / arc_force_slope(phi);
+                (pressure.eccentricity_m - edge_m) / rotation_rad
+            }
+        }
+    }
+}
+
 /// n(φ) = ∫ sin t (t − sin t cos t) dt.
 fn arc_force(phi: f64) -> f64 {
     if phi < PHI_SMALL {

@@ -47,6 +47,11 @@ impl FreeColumns {
         0.25 / quarter_s
     }
 
+    /// z at one rotation less that at another, m.
+    pub(crate) fn rise_between_m(&self, from_rad: f64, to_rad: f64) -> f64 {
+        self.integral(from_rad, to_rad, &|t| self.rise_m(t))
+    }
+
     /// du/dθ, m.
     fn sway_m(&self, rotation_rad: f64) -> f64 {
         let (sin, cos) = rotation_rad.sin_cos();
