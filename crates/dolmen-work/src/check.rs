@@ -3,6 +3,7 @@
 use crate::answer::CheckAnswer;
 use crate::chain::check::UpliftTilt;
 use crate::demand;
+use crate::draws::Draws;
 use crate::error::{Within as _, WorkError};
 use crate::frame::tilts::tilts as tilts_of_frame;
 use crate::judgement::{measured_frequencies, superseded_by};
@@ -255,6 +256,14 @@ pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Optio
     Ok(kinds::load_factor(project, pick)?.filter(|factor| *factor <= 1.0))
 }
 
+/// Whether a bed of a chain crushes under the weight above it with the inputs that `pick` chooses.
+pub(crate) fn crushes_by_itself(project: &Project, pick: Pick<'_>) -> bool {
+    match &project.structure {
+        Structure::Chain(part) => part.bed_crushes(&project.loads, pick),
+        Structure::Frame(_) | Structure::Building(_) | Structure::Stack(_) | Structure::Survey => false,
+    }
+}
+
 /// Whether a chain or frame that leans as surveyed falls with the inputs that `pick` chooses; a model that takes no tilt is plumb. For a stack
 /// the limits contain it.
 pub(crate) fn leans_to_its_fall(project: &Project, pick: Pick<'_>) -> Result<bool, WorkError> {
@@ -277,14 +286,10 @@ pub(crate) fn leans_to_its_fall(project: &Project, pick: Pick<'_>) -> Result<boo
 
 /// The load factor for random samples of the inputs; `None` if no stiffness or no scatter is known.
 fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, WorkError> {
-    let inputs = project.structure_inputs();
-    let scatters: Vec<(&Quantity, f64)> = inputs
-        .iter()
-        .filter_map(|q| Some((*q, q.cov.filter(|cov| *cov > 0.0)?)))
-        .collect();
+    let draws = Draws::of(project)?;
     // without P-delta there is no load factor
     let factor = kinds::load_factor(project, &mut Quantity::nominal)?;
-    if scatters.is_empty() || factor.is_none_or(f64::is_infinite) {
+    if draws.inputs().is_empty() || factor.is_none_or(f64::is_infinite) {
         return Ok(None);
     }
     let is_overloaded = |pick: Pick<'_>| -> Result<Option<bool>, WorkError> {
@@ -296,22 +301,34 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
     };
     let is_loaded = is_overloaded(&mut Quantity::nominal)?.is_some();
     let mut overloaded = Vec::new();
+    let mut falls_sticking = match &project.structure {
+        Structure::Frame(part) if part.lean.is_none() && part.softens() => Some(0),
+        _ => None,
+    };
     let mut load_factors = Vec::with_capacity(sampling.samples);
     let unstable = probability(
         sampling.samples,
         sampling.seed,
         |random: &mut Random| -> Result<bool, WorkError> {
-            // drawn in the order of the file, so that a sample does not depend on the order of use
-            let mut drawn = BTreeMap::new();
-            for (q, cov) in &scatters {
-                drawn.insert(q.path.as_str(), random.lognormal(q.value, *cov)?);
-            }
+            let each = draws.inputs().iter().zip(draws.draw(random)?);
+            let drawn: BTreeMap<&str, f64> = each
+                .map(|(input, value)| (input.quantity.path.as_str(), value))
+                .collect();
             let mut pick = |q: &Quantity| drawn.get(q.path.as_str()).copied().unwrap_or(q.value);
+            if crushes_by_itself(project, &mut pick) {
+                load_factors.push(0.0);
+                overloaded.extend(is_loaded.then_some(true));
+                return Ok(true);
+            }
             let factor = kinds::least_load_factor(project, &mut pick).within(|| Place::SampleImpossible)?;
             let factor = factor
                 .filter(|factor| !factor.is_nan())
                 .ok_or(WorkError::SampleNotANumber)?;
             load_factors.push(factor);
+            if let Some(count) = &mut falls_sticking {
+                let sticking = kinds::load_factor(project, &mut pick).within(|| Place::SampleImpossible)?;
+                *count += usize::from(sticking.is_some_and(|factor| factor <= 1.0));
+            }
             if is_loaded {
                 overloaded.push(
                     is_overloaded(&mut pick)
@@ -332,12 +349,15 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
         false => None,
     };
     load_factors.sort_by(f64::total_cmp);
-    let inputs = scatters.iter().map(|(q, _)| q.path.clone()).collect();
+    let inputs = draws.inputs().iter();
+    let inputs = inputs.map(|input| input.quantity.path.clone()).collect();
     Ok(Some(Sampled {
         unstable,
         under_loads,
         load_factors,
         inputs,
+        falls_sticking,
+        weighs_loads: project.loads.loads.iter().any(|load| load.weight.is_some()),
     }))
 }
 

@@ -3,7 +3,7 @@
 use super::answer::StudyAnswer;
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
-use super::scans::{ALLOWED_DRIFT, CapacityOf, RunInformation, first_seen};
+use super::scans::{ALLOWED_DRIFT, CapacityOf, RunInformation, ScanVerdict, first_seen};
 use dolmen::assess::{Reached, Trial};
 use std::collections::BTreeSet;
 
@@ -18,9 +18,15 @@ pub struct AllowedDrift {
     pub before: usize,
     /// Number of scans with a known drift.
     pub scans: usize,
-    /// Number of those that exceed it in some run, including the surveyed lean, or fall under their own weight.
+    /// Number of those that exceed it in some run, including the surveyed lean, lean beyond it at rest, or fall under their own weight.
     pub beyond: usize,
-    /// The smallest peak of the ground at which a standing structure exceeds it, m/s²; `None` if none does.
+    /// Number of those that fall under their own weight, or fell in the motion before.
+    pub fell_alone: usize,
+    /// Number of those that stand, but lean beyond it without any shaking.
+    pub at_rest: usize,
+    /// The largest lean of these, –.
+    pub at_rest_most: f64,
+    /// The smallest peak of the ground at which a structure that is within it at rest exceeds it, m/s²; `None` if none does.
     pub least_m_s2: Option<f64>,
     /// The largest peak that was tried, m/s².
     pub largest_m_s2: f64,
@@ -57,6 +63,19 @@ fn is_beyond(drift: f64, limit: f64) -> bool {
 }
 
 impl CapacityOf {
+    /// With the allowable drift of the file reached without any shaking, by a structure that leans beyond it; one that falls under its own weight
+    /// or is refused stays as it is.
+    pub(super) fn with_drift_at_rest(mut self) -> Self {
+        if matches!(self.verdict, ScanVerdict::FellAlone | ScanVerdict::Refused) {
+            return self;
+        }
+        if let Some(first) = &mut self.first_m_s2 {
+            first[ALLOWED_DRIFT] = Reached::At(0.0);
+        }
+        self.is_beyond_at_rest = true;
+        self
+    }
+
     /// With the peak at which the allowable drift of the file is first exceeded.
     pub(super) fn with_allowed_drift(mut self, runs: &[Run], limit: f64) -> Self {
         let runs = runs.iter().filter(|run| run.scale > 0.0);
@@ -87,43 +106,56 @@ impl StudyAnswer {
         beyond.map(|state| state.case).collect()
     }
 
+    /// Whether a case leans beyond the allowable drift before it is shaken.
+    pub(super) fn is_beyond_at_rest(&self, case: usize) -> bool {
+        let lean = self.leans_at_rest.get(case).copied().flatten();
+        lean.zip(self.drift_limit)
+            .is_some_and(|(lean, limit)| is_beyond(lean, limit))
+    }
+
     /// Compares the scans with the allowable drift of the file; `None` if it gives none, varies it, or nothing was run.
     pub fn allowed_drift(&self) -> Option<AllowedDrift> {
         let limit = self.drift_limit?;
         let is_beyond = |drift: f64| is_beyond(drift, limit);
         let beyond_before = self.cases_beyond_before(limit);
-        let is_beyond_before = |run: &Run| beyond_before.contains(&self.case_of(run.job));
-        let all: Vec<(&Run, f64)> = self
-            .runs
+        let known = self.runs.iter().filter_map(|run| Some((run, drift_of(run)?)));
+        let (at_rest, known): (Vec<_>, Vec<_>) =
+            known.partition(|(run, _)| self.is_beyond_at_rest(self.case_of(run.job)));
+        let (before, known): (Vec<_>, Vec<_>) = known
+            .into_iter()
+            .partition(|(run, _)| beyond_before.contains(&self.case_of(run.job)));
+        let tried = match known.is_empty() {
+            true => &at_rest,
+            false => &known,
+        };
+        let largest_m_s2 = peaks(tried).reduce(f64::max)?;
+        let beyond: Vec<(&Run, f64)> = known.iter().copied().filter(|one| is_beyond(one.1)).collect();
+        let fell_alone = self.runs.iter().filter(|run| run.fell_alone()).count();
+        let leans = at_rest
             .iter()
-            .filter_map(|run| Some((run, drift_of(run)?)))
-            .collect();
-        let (before, known): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_beyond_before(one.0));
-        let before: BTreeSet<usize> = before.iter().map(|one| one.0.job).collect();
-        let jobs = |of: &dyn Fn(f64) -> bool| {
-            let mut jobs: Vec<usize> = known
-                .iter()
-                .filter(|one| of(one.1))
-                .map(|one| one.0.job)
-                .collect();
-            jobs.sort_unstable();
-            jobs.dedup();
-            jobs.len()
-        };
-        let peaks = |of: &dyn Fn(f64) -> bool| -> Vec<f64> {
-            let chosen = known.iter().filter(|one| of(one.1));
-            chosen.map(|one| one.0.peak_ground_acceleration_m_s2).collect()
-        };
-        let largest_m_s2 = peaks(&|_| true).into_iter().reduce(f64::max)?;
-        let alone = self.runs.iter().filter(|run| run.fell_alone()).count();
+            .filter_map(|(run, _)| self.leans_at_rest.get(self.case_of(run.job)).copied().flatten());
         Some(AllowedDrift {
             limit,
-            before: before.len(),
+            before: jobs(&before),
             lean: known.iter().map(|one| lean(one.0)).fold(0.0, f64::max),
-            scans: alone + jobs(&|_| true),
-            beyond: alone + jobs(&is_beyond),
-            least_m_s2: peaks(&is_beyond).into_iter().reduce(f64::min),
+            scans: fell_alone + jobs(&at_rest) + jobs(&known),
+            beyond: fell_alone + jobs(&at_rest) + jobs(&beyond),
+            fell_alone,
+            at_rest: jobs(&at_rest),
+            at_rest_most: leans.fold(0.0, f64::max),
+            least_m_s2: peaks(&beyond).reduce(f64::min),
             largest_m_s2,
         })
     }
+}
+
+/// Number of scans of runs, each with its drift.
+fn jobs(runs: &[(&Run, f64)]) -> usize {
+    let jobs: BTreeSet<usize> = runs.iter().map(|(run, _)| run.job).collect();
+    jobs.len()
+}
+
+/// Peaks of the ground in runs, m/s².
+fn peaks(runs: &[(&Run, f64)]) -> impl Iterator<Item = f64> {
+    runs.iter().map(|(run, _)| run.peak_ground_acceleration_m_s2)
 }

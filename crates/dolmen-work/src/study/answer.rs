@@ -67,6 +67,9 @@ pub struct StudyAnswer {
     pub records: Vec<usize>,
     /// The state of each case after the earlier motion; empty without one.
     pub before: Vec<StateBefore>,
+    /// For a frame with an allowable drift: the largest lean of a storey of each case before it is shaken, –, where it leans as surveyed; else
+    /// empty.
+    pub leans_at_rest: Vec<Option<f64>>,
     /// Runs by job and scale.
     pub runs: Vec<Run>,
     /// Scans that are not done.
@@ -229,9 +232,12 @@ impl StudyAnswer {
             let runs = runs.unwrap_or_default();
             let mut found = capacity_of(job, runs, is_whole);
             let is_counted = is_whole && !beyond_before.contains(&self.case_of(job));
-            if let Some(limit) = self.drift_limit.filter(|_| is_counted) {
-                found = found.with_allowed_drift(runs, limit);
-            }
+            let is_at_rest = is_whole && self.is_beyond_at_rest(self.case_of(job));
+            found = match self.drift_limit {
+                Some(_) if is_at_rest => found.with_drift_at_rest(),
+                Some(limit) if is_counted => found.with_allowed_drift(runs, limit),
+                Some(_) | None => found,
+            };
             match self.kind {
                 StudyKind::Building => found.in_proportion(runs, limits),
                 StudyKind::Stack | StudyKind::Frame | StudyKind::Chain => found,
@@ -253,15 +259,6 @@ impl StudyAnswer {
             *counts.entry(run.outcome).or_insert(0) += 1;
         }
         counts
-    }
-
-    /// Reasons of refusals, each with its number of cases.
-    pub fn refusals(&self) -> Vec<(&Both, usize)> {
-        let mut counts = BTreeMap::new();
-        for run in self.runs.iter().filter(|run| run.outcome == RunOutcome::Refused) {
-            counts.entry(run.why.english.as_str()).or_insert((&run.why, 0)).1 += 1;
-        }
-        counts.into_values().collect()
     }
 
     /// Usable scans that fell at the smallest size of the study; below it, only halving was tried.

@@ -43,15 +43,17 @@ pub struct StateFragility {
     pub observations: Vec<Observation>,
     /// Number of further scans whose structure falls under its own weight, and reaches the state without shaking.
     pub fell_alone: usize,
+    /// For the allowable drift of the file: number of further scans whose structure stands, but leans beyond it without any shaking.
+    pub leans_beyond: usize,
     /// The record of each observation, from 0: other directions and samples belong to the same record.
     pub motions: Vec<usize>,
-    /// The curve over peak acceleration, m/s², or the reason for its absence; for structures that stand under their own weight.
+    /// The curve over peak acceleration, m/s², or the reason for its absence; for structures that are not in the state without shaking.
     pub by_acceleration: Result<FragilityFit, AssessError>,
     /// The curves over those other measures of [`StudyAnswer::measures`](super::StudyAnswer::measures) that are known for this combination.
     pub by_measure: Vec<MeasureFit>,
     /// The contributions to β, with random inputs.
     pub scatter: Option<ScatterSplit>,
-    /// Annual rate of the state for structures that stand under their own weight, if the site has a hazard.
+    /// Annual rate of the state for structures that are not in it without shaking, if the site has a hazard.
     pub risk: Option<AnnualRisk>,
     /// The annual rate at the ends of both 95 % intervals: θ high and β low, θ low and β high.
     pub rate_interval: Option<[f64; 2]>,
@@ -77,25 +79,30 @@ impl StateFragility {
 
     /// Number of scans with information on the state.
     pub fn scans(&self) -> usize {
-        self.fell_alone + self.observations.len()
+        self.without_shaking() + self.observations.len()
     }
 
-    /// Number of scans that reached the state, including those that fall by themselves.
+    /// Number of scans whose structure is in the state without any shaking.
+    pub fn without_shaking(&self) -> usize {
+        self.fell_alone + self.leans_beyond
+    }
+
+    /// Number of scans that reached the state, including those that are in it without any shaking.
     pub fn reached(&self) -> usize {
         let seen = self.observations.iter();
         let reached = seen.filter(|seen| !matches!(seen, Observation::Above(_)));
-        self.fell_alone + reached.count()
+        self.without_shaking() + reached.count()
     }
 
-    /// p₀, the share of scans whose structure falls under its own weight.
+    /// p₀, the share of scans whose structure is in the state without any shaking.
     pub fn share_alone(&self) -> f64 {
         match self.scans() {
             0 => 0.0,
-            scans => self.fell_alone as f64 / scans as f64,
+            scans => self.without_shaking() as f64 / scans as f64,
         }
     }
 
-    /// The probability that the state is reached, from that of the structures that stand under their own weight.
+    /// The probability that the state is reached, from that of the structures that are not in it without shaking.
     ///
     /// ```text
     /// P = p₀ + (1 − p₀) Φ(ln(x/θ)/β)
@@ -111,10 +118,10 @@ impl StateFragility {
             .map(|risk| self.with_those_alone(risk.probability_in(YEARS)))
     }
 
-    /// The annual rate over all scans, 1/year; `None` without a hazard, or if some fall under their own weight, which have no finite rate.
+    /// The annual rate over all scans, 1/year; `None` without a hazard, or if some are in the state without shaking, which have no finite rate.
     pub fn annual_rate(&self) -> Option<f64> {
         self.risk
-            .filter(|_| self.fell_alone == 0)
+            .filter(|_| self.without_shaking() == 0)
             .map(|risk| risk.annual_rate)
     }
 

@@ -39,7 +39,9 @@ impl StudyAnswer {
         let mut found: Vec<CombinationFragility> = Vec::new();
         for combination in 0..self.study.combinations() {
             let is_known = |scan: &&CapacityOf| {
-                scan.verdict == ScanVerdict::FellAlone || scan.seen_m_s2.iter().any(Option::is_some)
+                scan.verdict == ScanVerdict::FellAlone
+                    || scan.is_beyond_at_rest
+                    || scan.seen_m_s2.iter().any(Option::is_some)
             };
             let own = scans
                 .iter()
@@ -179,9 +181,13 @@ impl StudyAnswer {
             Some([least.annual_rate, known_most(&most)])
         });
         let alone = scans.iter().filter(|scan| scan.verdict == ScanVerdict::FellAlone);
+        let leaning = scans
+            .iter()
+            .filter(|scan| state == ALLOWED_DRIFT && scan.is_beyond_at_rest);
         StateFragility {
             state,
             fell_alone: alone.count(),
+            leans_beyond: leaning.count(),
             rate_interval,
             risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
             scatter,
@@ -265,6 +271,11 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
         words("state", &|(_, state)| answer.kind.state(state.state).to_owned()),
         counts("scans", &|(_, state)| state.scans()),
         counts("fell_by_itself", &|(_, state)| state.fell_alone),
+    ]);
+    if rows.iter().any(|(_, state)| state.leans_beyond > 0) {
+        columns.push(counts("leans_beyond_at_rest", &|(_, state)| state.leans_beyond));
+    }
+    columns.extend([
         counts("motions", &|(_, state)| {
             let different: BTreeSet<&usize> = state.motions.iter().collect();
             different.len()

@@ -8,7 +8,8 @@ use super::plan::Plan;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use dolmen::dynamics::{
-    DynamicsError, HarmonicPoint, amplitude_dependence, chain_harmonic_map, harmonic_map,
+    DynamicsError, HarmonicPoint, HarmonicStart, amplitude_dependence, chain_harmonic_map,
+    harmonic_map_of_leaning,
 };
 use dolmen_words::message::Both;
 use rayon::prelude::*;
@@ -41,9 +42,14 @@ fn of_case(plan: &Plan<'_>, case: usize, progress: &dyn Progress) -> Result<Opti
     };
     match model {
         Model::Frame(model) => {
+            let start = HarmonicStart {
+                tilt: model.first.tilt,
+                drift_ratio_most: model.first.drift_ratio_most,
+            };
             maps.harmonic = mapped(plan, |[frequencies_hz, accelerations_m_s2]| {
-                harmonic_map(
+                harmonic_map_of_leaning(
                     &model.first.frame,
+                    start,
                     frequencies_hz,
                     accelerations_m_s2,
                     &mut |_| !progress.is_cancelled(),
@@ -52,6 +58,7 @@ fn of_case(plan: &Plan<'_>, case: usize, progress: &dyn Progress) -> Result<Opti
             if let Some(displacement_m) = plan.study.release_m {
                 maps.release = amplitude_dependence(&model.first.frame, displacement_m)?;
             }
+            model.limit_to_lift_off(&mut maps.harmonic, plan.study.release_m)?;
             maps.parts = model.storeys;
         }
         Model::Chain(model) => {

@@ -2,9 +2,10 @@
 
 use super::input_columns::{CaseInputs, InputColumn};
 use super::shown_inputs::{bare_number, with_unit};
+use crate::draws::Draws;
 use crate::error::WorkError;
 use dolmen::numeric::Random;
-use dolmen_project::{ModelDamage, Override, Project, Quantity, StudyPart};
+use dolmen_project::{HazardPart, ModelDamage, Override, Project, Quantity, StudyPart};
 use dolmen_words::Unit;
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
@@ -32,16 +33,15 @@ impl Drawn {
 pub(super) fn drawn(project: &Project, seed: u64, sample: u64) -> Result<Drawn, WorkError> {
     let mut random = Random::new(seed, sample);
     let mut drawn = Drawn::default();
-    for quantity in project.structure_inputs() {
-        if let Some(cov) = quantity.cov.filter(|cov| *cov > 0.0) {
-            let value = random.lognormal(quantity.value, cov)?;
-            drawn.values.push((quantity.path.clone(), quantity.unit, value));
-            drawn.by_path.insert(quantity.path.clone(), value);
-            let unit = quantity.written_unit();
-            drawn
-                .written_units
-                .extend(unit.map(|unit| (quantity.path.clone(), unit)));
-        }
+    let draws = Draws::of(project)?;
+    for (input, value) in draws.inputs().iter().zip(draws.draw(&mut random)?) {
+        let quantity = input.quantity;
+        drawn.values.push((quantity.path.clone(), quantity.unit, value));
+        drawn.by_path.insert(quantity.path.clone(), value);
+        let unit = quantity.written_unit();
+        drawn
+            .written_units
+            .extend(unit.map(|unit| (quantity.path.clone(), unit)));
     }
     Ok(drawn)
 }
@@ -58,6 +58,10 @@ pub(super) struct ReadCombination {
     pub(super) damage: Vec<ModelDamage>,
     /// Whether its runs have neither damping nor friction.
     pub(super) is_undamped: bool,
+    /// The allowable drift of a storey over its height.
+    pub(super) drift_limit: Option<f64>,
+    /// The hazard of its site.
+    pub(super) hazard: Option<HazardPart>,
     /// The samples drawn.
     pub(super) samples: Vec<Drawn>,
     /// Value and SI unit of each varied input that is a quantity.

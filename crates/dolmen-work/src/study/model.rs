@@ -1,7 +1,7 @@
 //! Structures of a study, ready for runs.
 
 use super::inputs::Drawn;
-use crate::check::{falls_by_itself, leans_to_its_fall};
+use crate::check::{crushes_by_itself, falls_by_itself, leans_to_its_fall};
 use crate::in_runs::no_capacity;
 use crate::stack::check::with_gaps;
 use crate::told::told_both;
@@ -9,8 +9,12 @@ use crate::wrong::CaseRefused;
 use crate::{building, chain, frame};
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
-use dolmen_project::{Project, Quantity, Structure, StudyPart};
+use dolmen_project::{Pick, Project, Quantity, Structure, StudyPart};
 use dolmen_words::message::Both;
+use dolmen_words::number::significant;
+
+/// Digits of a random input in words.
+const DRAWN_DIGITS: usize = 4;
 
 /// A structure that is ready for runs.
 pub(crate) enum Model {
@@ -37,9 +41,40 @@ impl NoModel {
     }
 }
 
-/// A structure ready for runs, or the reason for its absence.
+/// A structure ready for runs, or the reason for its absence; of a sample that is refused, the one input that is the cause if there is one.
 pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> Result<Model, NoModel> {
-    let pick = &mut |quantity: &Quantity| sample.pick(quantity);
+    let refused = match built(study, project, &mut |quantity| sample.pick(quantity)) {
+        Err(NoModel::Refused(why)) => why,
+        found => return found,
+    };
+    let inputs = project.structure_inputs();
+    let mut drawn = inputs
+        .into_iter()
+        .filter(|input| sample.pick(input) != input.value);
+    let cause = drawn.find(|cause| {
+        let pick = &mut |quantity: &Quantity| match quantity.path == cause.path {
+            true => quantity.value,
+            false => sample.pick(quantity),
+        };
+        !matches!(built(study, project, pick), Err(NoModel::Refused(_)))
+    });
+    let Some(cause) = cause else {
+        return Err(NoModel::Refused(refused));
+    };
+    let (unit, si) = cause.written_unit().unwrap_or((cause.unit.to_owned(), 1.0));
+    let drawn = format!("{} {unit}", significant(sample.pick(cause) / si, DRAWN_DIGITS));
+    let why = CaseRefused::DrawnTooFar {
+        input: cause.path.clone(),
+        drawn: drawn.trim_end().to_owned(),
+    };
+    Err(NoModel::Refused(why.into()))
+}
+
+/// A structure ready for runs with the inputs that `pick` chooses.
+fn built(study: &StudyPart, project: &Project, pick: Pick<'_>) -> Result<Model, NoModel> {
+    if crushes_by_itself(project, pick) {
+        return Err(NoModel::FallsAlone(CaseRefused::BedCrushes.into()));
+    }
     match falls_by_itself(project, pick) {
         Ok(Some(load_factor)) => {
             let load_factor = format!("{load_factor:.3}");
@@ -72,6 +107,16 @@ pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> 
         Structure::Survey => Err(CaseRefused::SurveyAlone.into()),
     };
     model.map_err(NoModel::Refused)
+}
+
+/// The largest lean of a storey of a frame before it is shaken, –; `None` if it does not lean, is refused, or falls.
+pub(super) fn lean_at_rest(study: &StudyPart, project: &Project, sample: &Drawn) -> Option<f64> {
+    let Structure::Frame(part) = &project.structure else {
+        return None;
+    };
+    part.lean.as_ref()?;
+    let model = frame::study::model(study, part, &mut |quantity: &Quantity| sample.pick(quantity)).ok()?;
+    model.lean_at_rest().ok()
 }
 
 /// Whether a chain or frame moves without damping and friction.

@@ -2,6 +2,7 @@
 
 use super::answer::StudyAnswer;
 use super::before::EarlierShaking;
+use super::combination_limits::{drift_limit_of, unknown_directions};
 use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
@@ -25,14 +26,12 @@ use crate::in_runs::{LeftOutOfRuns, held_in_runs};
 use crate::opened::Opened;
 use crate::stack;
 use crate::wrong::OfRuns;
-use dolmen::assess::demand::DriftLimit;
 use dolmen::assess::{RockingScale, rocking_scale};
 use dolmen::signal::Component;
 use dolmen::stability::stack::{StackLimits, stack_limits};
-use dolmen_project::Problem;
 use dolmen_project::{
-    Axis, LawPart, MotionSize, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text,
-    parse_combination,
+    Axis, HazardPart, LawPart, MotionSize, Override, Problem, Project, Quantity, Scan, Structure, StudyPart,
+    canonical_text, parse_combination,
 };
 use dolmen_records::Files;
 use dolmen_words::message::Both;
@@ -60,7 +59,7 @@ pub struct Plan<'o> {
     /// For each combination, the fingerprint of everything that its model is built from.
     models: Vec<String>,
     /// Properties of the file that runs leave out, and those that they include in addition to the structure.
-    left_out: Vec<Both>,
+    pub(super) left_out: Vec<Both>,
     held: Vec<Both>,
     /// Damage of inspections in the models of the runs.
     damage: Vec<DamageInRuns>,
@@ -68,6 +67,9 @@ pub struct Plan<'o> {
     pub(super) drawn_units: BTreeMap<String, Unit>,
     /// Values that the study sets, as shown.
     set_shown: Vec<String>,
+    /// The allowable drift and the hazard that all combinations share.
+    pub(super) drift_limit: Option<f64>,
+    pub(super) hazard: Option<HazardPart>,
     /// Whether runs of a combination have neither damping nor friction.
     is_undamped: bool,
     fingerprints: Vec<(String, String)>,
@@ -115,6 +117,8 @@ impl<'o> Plan<'o> {
             damage: Vec::new(),
             drawn_units: BTreeMap::new(),
             set_shown: Vec::new(),
+            drift_limit: None,
+            hazard: None,
             is_undamped: false,
             fingerprints: Vec::new(),
         };
@@ -154,9 +158,11 @@ impl<'o> Plan<'o> {
                     fingerprint(all.as_bytes())
                 });
                 let is_rigid = self.study.law == LawPart::Rigid;
-                let left_out = project
-                    .as_ref()
-                    .map(|project| LeftOutOfRuns::of(project).words(is_rigid));
+                let left_out = project.as_ref().map(|project| {
+                    let mut all = LeftOutOfRuns::of(project).words(is_rigid);
+                    all.extend(unknown_directions(self.study, project));
+                    all
+                });
                 Ok(ReadCombination {
                     model,
                     left_out: left_out.unwrap_or_default(),
@@ -168,6 +174,10 @@ impl<'o> Plan<'o> {
                     is_undamped: project
                         .as_ref()
                         .is_some_and(|project| is_undamped(self.study, project)),
+                    drift_limit: drift_limit_of(project.as_ref()),
+                    hazard: project
+                        .as_ref()
+                        .and_then(|project| project.site.as_ref()?.hazard.clone()),
                     samples: (0..samples).map(draw).collect::<Result<_, WorkError>>()?,
                     values: self.study.vary.iter().enumerate().map(value).collect(),
                     written: written_units(self.study, project.as_ref()),
@@ -183,6 +193,7 @@ impl<'o> Plan<'o> {
         if self.kind != StudyKind::Stack && self.motions.iter().any(is_vertical) {
             self.left_out.push(OfRuns::VerticalLeftOut.into());
         }
+        self.take_limits(&read);
         self.is_undamped = read.iter().any(|read| read.is_undamped);
         let held: Vec<_> = read.iter().map(|read| read.of_runs(&read.held)).collect();
         self.held = said_of_runs(self.study, &held);
@@ -402,18 +413,14 @@ impl<'o> Plan<'o> {
             study: self.study.clone(),
             kind: self.kind,
             gravity_m_s2: self.opened.project.gravity_m_s2,
-            drift_limit: self.drift_limit(),
+            drift_limit: self.drift_limit,
             // the hazard of the site does not apply to shaking after another earthquake
             hazard: match &self.study.after {
                 Some(_) => None,
-                None => self
-                    .opened
-                    .project
-                    .site
-                    .as_ref()
-                    .and_then(|site| site.hazard.clone()),
+                None => self.hazard.clone(),
             },
             before: self.states_before(),
+            leans_at_rest: self.leans_at_rest(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             notes: self.notes(),
             model_damage: self.damage.clone(),
@@ -432,13 +439,6 @@ impl<'o> Plan<'o> {
             maps: Vec::new(),
             fitted: Fitted::default(),
         }
-    }
-
-    /// The allowable drift of the file, unless it is varied.
-    fn drift_limit(&self) -> Option<f64> {
-        let is_varied = self.inputs.iter().any(|input| input.path.starts_with("limits"));
-        let limit = self.opened.project.drift_limit.as_ref().filter(|_| !is_varied);
-        limit.map(DriftLimit::ratio)
     }
 
     /// Data of the earthquake of each motion, unless motions are varied.

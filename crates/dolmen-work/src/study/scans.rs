@@ -74,6 +74,8 @@ pub struct CapacityOf {
     pub first_m_s2: Option<[Reached; STATES]>,
     /// Knowledge of the same peaks, m/s², including scans with only a bracket; `None` for the drift of a file without `[limits]`.
     pub seen_m_s2: [Option<Observation>; STATES],
+    /// Whether it leans beyond the allowable drift of the file before it is shaken.
+    pub is_beyond_at_rest: bool,
 }
 
 impl CapacityOf {
@@ -338,6 +340,7 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
             .is_usable()
             .then(|| [first(1), first(2), first(3), first(4), first(u8::MAX)]),
         seen_m_s2: [seen(1), seen(2), seen(3), seen(4), None],
+        is_beyond_at_rest: false,
     }
 }
 

@@ -10,6 +10,9 @@ use super::elementary::{exp, ln};
 use rand_core::Rng as _;
 use rand_pcg::Pcg64Dxsm;
 
+/// Largest cov: far above that of any measured quantity; keeps the exponential finite.
+pub(super) const COV_MOST: f64 = 10.0;
+
 /// A reproducible sequence of random numbers.
 ///
 /// In a study each sample has its own stream, numbered by the sample. Sample 17 is therefore the same in any order,
@@ -84,34 +87,41 @@ impl Random {
         }
     }
 
-    /// Lognormal with this mean and coefficient of variation; always positive, for stiffnesses, weights and lengths.
-    ///
-    /// ```text
-    /// x = μ exp(σ z − σ²/2),   σ² = ln(1 + δ²),   z normal
-    /// ```
+    /// Lognormal with this mean and coefficient of variation: [`lognormal_at`] the next normal number.
     ///
     /// # Errors
-    /// [`NumericError::Range`] if `mean` is not positive and finite or `cov` is not in [0, 10].
+    /// As [`lognormal_at`].
     pub fn lognormal(&mut self, mean: f64, cov: f64) -> Result<f64, NumericError> {
-        const COV_MOST: f64 = 10.0; // far above any measured quantity; keeps the exponential finite
-        if !(mean > 0.0 && mean.is_finite()) {
-            return Err(NumericError::Range {
-                quantity: "mean of a lognormal variable",
-                given: mean,
-                allowed: "a positive number",
-            });
-        }
-        if !(0.0..=COV_MOST).contains(&cov) {
-            return Err(NumericError::Range {
-                quantity: "cov of a lognormal variable",
-                given: cov,
-                allowed: "between 0 and 10 (0.1 is 10 %)",
-            });
-        }
-        let variance = ln(1.0 + cov * cov);
-        let z = self.normal();
-        Ok(mean * exp(variance.sqrt() * z - 0.5 * variance))
+        lognormal_at(self.normal(), mean, cov)
     }
+}
+
+/// A lognormal variable with this mean and coefficient of variation, at its standard normal one; always positive, for stiffnesses, weights and
+/// lengths.
+///
+/// ```text
+/// x = μ exp(σ z − σ²/2),   σ² = ln(1 + δ²)
+/// ```
+///
+/// # Errors
+/// [`NumericError::Range`] if `mean` is not positive and finite or `cov` is not in [0, 10].
+pub fn lognormal_at(z: f64, mean: f64, cov: f64) -> Result<f64, NumericError> {
+    if !(mean > 0.0 && mean.is_finite()) {
+        return Err(NumericError::Range {
+            quantity: "mean of a lognormal variable",
+            given: mean,
+            allowed: "a positive number",
+        });
+    }
+    if !(0.0..=COV_MOST).contains(&cov) {
+        return Err(NumericError::Range {
+            quantity: "cov of a lognormal variable",
+            given: cov,
+            allowed: "between 0 and 10 (0.1 is 10 %)",
+        });
+    }
+    let variance = ln(1.0 + cov * cov);
+    Ok(mean * exp(variance.sqrt() * z - 0.5 * variance))
 }
 
 /// The finaliser of SplitMix64: a bijection in which every input bit changes half of the output bits.

@@ -75,6 +75,27 @@ pub fn student_two_sided_quantile(probability: f64, degrees_of_freedom: f64) -> 
     bracketed_root(off, 0.0, most, &Bracketing::default())
 }
 
+/// Variance of a sum and its degrees of freedom, from (variance, degrees of freedom) of each part.
+///
+/// ```text
+/// v = Σ v_i,   ν = v² / Σ (v_i² / ν_i)
+/// ```
+///
+/// # Source
+/// Welch (1947) Biometrika 34:28-35; Satterthwaite (1946) Biom. Bull. 2:110-114.
+pub(crate) fn welch(parts: &[(f64, f64)]) -> (f64, f64) {
+    let sum: f64 = parts.iter().map(|(v, _)| v).sum();
+    let below: f64 = parts.iter().map(|(v, nu)| v * v / nu).sum();
+    (
+        sum,
+        if below > 0.0 {
+            sum * sum / below
+        } else {
+            f64::INFINITY
+        },
+    )
+}
+
 /// The shift, in standard deviations, that Student's two-sided test with a given significance finds with a given power.
 ///
 /// ```text
