@@ -6,6 +6,7 @@ use clap::Args;
 use dolmen_folder::{Access, Found};
 use dolmen_report::TextStyle;
 use dolmen_words::{Language, print_names};
+use std::iter;
 use std::path::Path;
 
 /// Flags of every verb.
@@ -64,7 +65,11 @@ impl Manner {
     pub(crate) fn open(&self, path: &Path) -> Result<Found> {
         let found = Found::open(path, self.access())?;
         if !self.json {
-            print_names(&found.opened.project.printed_names, self.language());
+            let project = &found.opened.project;
+            let variants = project.variants.iter().map(|variant| &variant.project);
+            for of in iter::once(&**project).chain(variants) {
+                print_names(&of.printed_names, self.language());
+            }
         }
         Ok(found)
     }

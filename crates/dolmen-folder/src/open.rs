@@ -7,7 +7,9 @@ use dolmen_project::date_of;
 use dolmen_records::records::RecordFormat;
 use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within, time_text};
 use dolmen_work::{Opened, Progress, with_stiffness_of_surveys};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A project, its file, and the folder of its other files.
@@ -27,6 +29,8 @@ pub struct Folder {
     pub access: Access,
     /// Name and text of the project file.
     project: Option<(String, String)>,
+    /// Names of the files read so far.
+    read: Mutex<BTreeSet<String>>,
 }
 
 impl Folder {
@@ -96,6 +100,7 @@ pub fn motions_in(path: &Path, access: Access) -> Result<(Folder, Vec<String>)> 
         path: path.to_owned(),
         access,
         project: None,
+        read: Mutex::default(),
     };
     Ok((folder, names))
 }
@@ -104,7 +109,17 @@ impl Files for Folder {
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
         let path = self.path.join(name);
         self.refuse_outside(name, &path)?;
-        files::read(&path, self.access.most(most_bytes)).map_err(|why| self.with_line(name, why))
+        let bytes =
+            files::read(&path, self.access.most(most_bytes)).map_err(|why| self.with_line(name, why))?;
+        if let Ok(mut read) = self.read.lock() {
+            read.insert(name.to_owned());
+        }
+        Ok(bytes)
+    }
+
+    fn names_read(&self) -> Vec<String> {
+        let read = self.read.lock();
+        read.map_or_else(|_| Vec::new(), |read| read.iter().cloned().collect())
     }
 
     fn is_composed_otherwise(&self, name: &str) -> bool {
@@ -136,6 +151,7 @@ impl Found {
             path: file.parent().unwrap_or(Path::new(".")).to_owned(),
             access,
             project: None, // faults of the project quote their lines themselves
+            read: Mutex::default(),
         };
         let opened = Opened::read(text, file.display().to_string(), &files)?;
         files.project = Some((opened.file.clone(), opened.text.clone()));

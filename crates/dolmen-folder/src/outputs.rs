@@ -1,4 +1,4 @@
-//! Decides what may be written: measured data and files that Dolmen did not write are never replaced.
+//! Decides what may be written: measured data are never replaced, and files that Dolmen did not write only on request (`--force`).
 //!
 //! Pages and figures contain a mark. Tables, arrays and JSON are in a list in their folder, each with a checksum; if a table was changed
 //! since, somebody edited it, and it is kept.

@@ -4,6 +4,7 @@ use super::building::BuildingPart;
 use super::chain::ChainPart;
 use super::damage::ModelDamage;
 use super::frame::FramePart;
+use super::leaves::Leaf;
 use super::loads::LoadsPart;
 use super::names::Names;
 use super::quantity::Quantity;
@@ -19,6 +20,7 @@ use dolmen_words::Sentence;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The model in the file: its `kind`.
 #[derive(Clone, Debug, PartialEq)]
@@ -158,6 +160,8 @@ pub struct Project {
     pub variants: Vec<Variant>,
     /// Warnings for every result.
     pub warnings: Vec<Warning>,
+    /// Every value of the file as it is written, in its order: without surveys, motions and words about values.
+    pub leaves: Arc<[Leaf]>,
     /// Byte range of each value in the text of the file, by path; used to write values back.
     pub spans: BTreeMap<String, Range<usize>>,
 }
@@ -210,6 +214,16 @@ impl Project {
         let mut all = self.structure.inputs();
         self.loads.inputs(&mut all);
         all
+    }
+
+    /// Pairs of these of which the first is never above the second.
+    pub fn ordered_inputs(&self) -> Vec<[&Quantity; 2]> {
+        match &self.structure {
+            Structure::Frame(part) => part.ordered_inputs(),
+            Structure::Chain(part) => part.ordered_inputs(),
+            Structure::Stack(part) => part.ordered_inputs(),
+            Structure::Building(_) | Structure::Survey => Vec::new(),
+        }
     }
 
     /// The surveys from which numbers of the structure were identified and on which its frequencies depend: a damping ratio calibrates no model.

@@ -107,7 +107,7 @@ messages! {
             ko: "{path}: 균열 폭이 {given}이다. mm 단위가 아닌가? 단위 없는 수는 파일의 길이 단위로 읽는다: \"0.4 mm\"",
         },
         LargeTilt { path: String, degrees: Quantity } => {
-            en: "{path} is a tilt of {degrees}°: is it in degrees? A bare number is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
+            en: "{path} is a tilt of {degrees}°: is it in degrees? A number without a unit is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
             ko: "{path}의 기울기가 {degrees}°이다. 도(°) 단위가 아닌가? 단위 없는 수는 수평/수직 비이다: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
         },
         LargeTiltWritten { path: String, written: String, degrees: Quantity } => {

@@ -14,6 +14,7 @@ mod direction_vector;
 mod doubted;
 mod doubts;
 mod error;
+mod exact;
 mod file;
 mod file_names;
 mod file_number;
@@ -23,6 +24,7 @@ mod frame;
 mod heaviness;
 mod identified;
 mod inspected;
+mod leaves;
 mod length_slips;
 mod limits;
 mod loads;
@@ -94,6 +96,7 @@ pub use frame::{
     TenonsPart,
 };
 pub use heaviness::Heaviness;
+pub use leaves::{Leaf, is_key, meaning_of};
 pub use loads::{
     CombinationPart, LoadPart, LoadsPart, WIND_ECCENTRICITY, WindArea, WindGiven, WindInTime, WindPart,
     WindSpeed,

@@ -9,13 +9,15 @@ use super::date_slips::{judge_dates, judge_report_place};
 use super::doubted::Doubted;
 use super::doubts;
 use super::error::{Fault, ProjectError};
+use super::exact::exact;
 use super::file::{FileRaw, KindRaw};
 use super::file_names::NamesRaw;
-use super::file_number::At;
+use super::file_number::{At, QuantityRaw};
 use super::foreign::foreign_keys;
 use super::frame::{frame, lean_frame};
 use super::identified::{sought_by_variant, sought_in_none, without_survey};
 use super::inspected::{OfInspections, of_inspections};
+use super::leaves::leaves;
 use super::length_slips::one_for_all;
 use super::limits::limits;
 use super::loads::{judge_loads, loads};
@@ -47,6 +49,7 @@ use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -220,6 +223,7 @@ pub(super) fn read_one<'i>(
         check.file(root, span);
     }
     check.faults.append(&mut foreign);
+    let leaves = leaves(root);
     let tree = Spanned::new(span.clone(), std::mem::take(root));
     let raw = match FileRaw::deserialize(toml::Deserializer::from(tree)) {
         Ok(raw) => raw,
@@ -233,7 +237,10 @@ pub(super) fn read_one<'i>(
             return None;
         }
     };
-    let project = of_raw((text, files), raw, own, &mut check);
+    let mut project = of_raw((text, files), raw, own, &mut check);
+    if let Some(project) = &mut project {
+        project.leaves = Arc::from(leaves);
+    }
     let sound = check.faults.is_empty();
     faults.append(&mut check.faults);
     project.filter(|_| sound)
@@ -254,15 +261,9 @@ fn of_raw(
     );
     reader.set_evidence(raw.evidence, own);
     reader.take_over(&mut check.faults, std::mem::take(&mut check.meant));
-    let gravity = reader.quantity(
-        raw.gravity.as_ref(),
-        "gravity",
-        Measure::Acceleration,
-        Bound::Positive,
-    );
-    let gravity_m_s2 = gravity
-        .as_ref()
-        .map_or(STANDARD_GRAVITY_M_S2, |gravity| gravity.value);
+    let gravity = gravity(&mut reader, raw.gravity.as_ref());
+    let gravity_given = gravity.as_ref().map(|gravity| gravity.value);
+    let gravity_m_s2 = gravity_given.unwrap_or(STANDARD_GRAVITY_M_S2);
     let name = raw
         .name
         .take()
@@ -327,6 +328,7 @@ fn of_raw(
             watch,
             variants: Vec::new(),
             warnings: Vec::new(),
+            leaves: Arc::from([]),
             spans: BTreeMap::new(),
         },
         _ => {
@@ -338,6 +340,12 @@ fn of_raw(
     project.warnings = reader.take_warnings(text);
     project.spans = reader.take_places();
     Some(project)
+}
+
+/// The acceleration of gravity, which samples do not draw.
+fn gravity(reader: &mut Reader, raw: Option<&At<QuantityRaw>>) -> Option<Quantity> {
+    let given = reader.quantity(raw, "gravity", Measure::Acceleration, Bound::Positive);
+    exact(reader, given, raw)
 }
 
 /// Rejects numbers and stiffness whose survey is not in the file.

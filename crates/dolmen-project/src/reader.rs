@@ -11,7 +11,7 @@ use super::quantity::{Evidence, Quantity};
 use super::unit_help::{help_of_unit, with_its_unit, write_with_one};
 use super::units::{Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
 use super::warned::Warned;
-use super::written::{short, with_unit};
+use super::written::{in_full, short, with_unit};
 use super::written_at::written_at;
 use super::wrong::{Common, WrongNumber, WrongUnit};
 use dolmen_records::Files;
@@ -317,7 +317,7 @@ impl<'f> Reader<'f> {
         };
         let unit = self.unit(unit_text, unit_span, path, measure, path)?;
         let written = match raw {
-            NumberRaw::Number(number) => with_unit(&short(*number), unit_text),
+            NumberRaw::Number(number) => with_unit(&in_full(*number), unit_text),
             NumberRaw::Text(text) => text.trim().to_owned(),
         };
         Some(Number {
@@ -347,7 +347,7 @@ impl<'f> Reader<'f> {
             return None;
         }
         let (text, factor) = self.bare_unit(measure);
-        let written = with_unit(&short(value), text);
+        let written = with_unit(&in_full(value), text);
         Some(Number {
             value: value * factor,
             factor,

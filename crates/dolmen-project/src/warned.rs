@@ -27,8 +27,8 @@ messages! {
             ko: "축력(axial_force)이 주어지지 않아 각 층 상단과 그 위 질량의 무게로 보았다. P-델타 효과를 제외하려면 axial_force = 0으로 한다",
         },
         ColumnsNotInMotion => {
-            en: "columns: `dolmen check` says what free-standing columns hold; simulations and studies move the frame on its storey stiffness and friction alone, without the columns' restoring moment",
-            ko: "columns(기둥): 자립 기둥의 복원력은 `dolmen check`에서만 계산한다. simulate와 study는 층강성과 마찰만으로 거동을 해석하며 기둥의 복원모멘트를 반영하지 않는다",
+            en: "columns: `dolmen check` says what free-standing columns hold; where joints or walls hold it too, simulations and studies move the frame on its storey stiffness and friction alone, without the columns' restoring moment",
+            ko: "columns(기둥): 자립 기둥의 복원력은 `dolmen check`에서 계산한다. 접합부나 벽체가 함께 지지하는 골조는 simulate와 study에서 층강성과 마찰만으로 거동을 해석하며 기둥의 복원모멘트를 반영하지 않는다",
         },
         JointDefaults { taken: String } => {
             en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping in frequencies, in the demand on elastic joints and in motion)",

@@ -18,6 +18,15 @@ pub(super) fn short(value: f64) -> String {
     }
 }
 
+/// A number as a file writes it: every digit, with an exponent where [`short`] has one.
+pub(super) fn in_full(value: f64) -> String {
+    let is_usual = value == 0.0 || !value.is_finite() || (1e-5..1e12).contains(&value.abs());
+    match is_usual {
+        true => value.to_string(),
+        false => format!("{value:e}"),
+    }
+}
+
 /// A number followed by its unit.
 pub(super) fn with_unit(number: &str, unit: &str) -> String {
     match unit {

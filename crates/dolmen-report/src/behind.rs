@@ -33,7 +33,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
             language.pick(description.english(), description.korean())
         }));
     }
-    let (tables, others) = by_part(&project.structure, &inputs_listed(project));
+    let (tables, others) = by_part(project, &inputs_listed(project));
     for table in tables {
         document.put(Block::Table(table));
     }

@@ -3,6 +3,7 @@
 use crate::damaged::damaged;
 use crate::document::{TextStyle, wrapped};
 use crate::headline_basis::{left_out, resting};
+use crate::headline_combined::with_earthquake;
 use crate::headline_damage::damage_state;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
@@ -120,6 +121,10 @@ messages! {
             ko: "{word}(우발비틀림을 제외하면 저항/요구 {ratio})",
         },
         WordNoTorsion(word: Both) => { en: "{word} (accidental torsion is not included)", ko: "{word}(우발비틀림 미반영)" },
+        WordLiftsOff(word: Both) => {
+            en: "{word} (columns without ties lift off their stones, where the springs of their beds tell nothing)",
+            ko: "{word}(결구 없는 기둥의 주각이 초석에서 들리며, 그 뒤는 지압면의 강성으로 알 수 없음)",
+        },
         WordLoosePost(word: Both) => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
         WordNoStiffness(word: Both) => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
@@ -160,6 +165,8 @@ messages! {
             ko: "{survey} 조사의 기울기 {tilt} 미반영",
         },
         TiltBeyondLimit => { en: "Tilt: beyond its limit", ko: "기울기: 한계 초과" },
+        TiltNearLimit => { en: "Tilt: near its limit", ko: "기울기: 한계에 가까움" },
+        DamageBeyondLimit(count: usize) => { en: "Damage beyond its limit: {count}", ko: "한계를 넘은 손상: {count}건" },
         OfSolution { number: usize, words: Both } => { en: "Solution {number}: {words}", ko: "해 {number}: {words}" },
         WorstUnderMotion(number: usize) => {
             en: "Under this motion solution {number} is the worst: the verdict, and all that follows, is of it.",
@@ -298,9 +305,14 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
             .map(|weight| own_weight(judged, weight, contradicted.clone())),
     );
     all.extend(earthquake(judged));
-    all.extend(wind(judged));
+    let alone = deciding(judged).and_then(|of| of.ratio);
+    all.extend(with_earthquake(&judged.wind, alone).map(of_wind));
+    all.extend(WindFinding::deciding(&judged.wind).map(of_wind));
     all.extend(judged.is_undamped.then(|| Headline::Undamped.into()));
     all.extend(judged.tilt_beyond_limit.then(|| Headline::TiltBeyondLimit.into()));
+    all.extend(judged.tilt_near_limit.then(|| Headline::TiltNearLimit.into()));
+    let damage = judged.damage_beyond_limit;
+    all.extend((damage > 0).then(|| Headline::DamageBeyondLimit(damage).into()));
     match (contradicted, &judged.evidence) {
         // stated in addition to the weight
         (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
@@ -434,9 +446,8 @@ fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
     )
 }
 
-/// The response to wind compared with the limits; `None` without limits.
-fn wind(judged: &VersionJudgement) -> Option<Sentence> {
-    let of = WindFinding::deciding(&judged.wind)?;
+/// A response to wind, static loads or a combination compared with its limit.
+fn of_wind(of: &WindFinding) -> Sentence {
     let word = Both::of(|language| of.word.word(language));
     let said = match (
         of.limit,
@@ -455,15 +466,13 @@ fn wind(judged: &VersionJudgement) -> Option<Sentence> {
         (_, None) | (None, _) => Headline::Word(word),
     };
     let said = said.into();
-    Some(
-        match of.by {
-            MovedBy::Wind => Headline::Wind(said),
-            MovedBy::Loads => Headline::StaticLoads(said),
-            MovedBy::Both => Headline::WindAndLoads(said),
-            MovedBy::WithEarthquake => Headline::WithEarthquake(said),
-        }
-        .into(),
-    )
+    match of.by {
+        MovedBy::Wind => Headline::Wind(said),
+        MovedBy::Loads => Headline::StaticLoads(said),
+        MovedBy::Both => Headline::WindAndLoads(said),
+        MovedBy::WithEarthquake => Headline::WithEarthquake(said),
+    }
+    .into()
 }
 
 fn word(of: &EarthquakeFinding) -> Headline {
@@ -491,6 +500,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
             part: of.part.clone().unwrap_or_default(),
         },
         (DecidedBy::LoosePost, _) => Headline::WordLoosePost(word),
+        (DecidedBy::FeetLiftOff, _) => Headline::WordLiftsOff(word),
         (DecidedBy::StiffnessUnknown, _) => match &of.part {
             None => Headline::WordNoStiffness(word),
             Some(direction) => Headline::WordNoStiffnessIn {
@@ -541,7 +551,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dolmen_work::judgement::{AssumedInputs, judge};
+    use dolmen_work::judgement::{AssumedInputs, WindWord, judge};
 
     fn judged() -> VersionJudgement {
         VersionJudgement {
@@ -581,6 +591,8 @@ mod tests {
             demand_source: Some(("KDS".into(), Some(2400))),
             tilt_left_out: None,
             tilt_beyond_limit: false,
+            tilt_near_limit: false,
+            damage_beyond_limit: 0,
             leans: None,
             after: None,
             solution: None,
@@ -609,6 +621,36 @@ mod tests {
         let weight = Some(Weight::Stable);
         let said = headline(&VersionJudgement { weight, ..judged() }, Language::English);
         assert!(said.contains("· Model: survey 2009 contradicts it"), "{said}");
+    }
+
+    #[test]
+    fn holds_a_combination_with_the_earthquake_is_named_where_it_leaves_less_than_the_earthquake() {
+        let of = |by, ratio| WindFinding {
+            word: WindWord::Within,
+            by,
+            limit: Some(WindLimit::Drift),
+            part: None,
+            ratio: Some(ratio),
+        };
+        let combined = |ratio| VersionJudgement {
+            weight: Some(Weight::Stable),
+            earthquake: vec![EarthquakeFinding {
+                word: Earthquake::Near,
+                decided_by: DecidedBy::Drift,
+                motion: None,
+                part: None,
+                ratio: Some(1.19),
+            }],
+            wind: vec![of(MovedBy::Both, 1.05), of(MovedBy::WithEarthquake, ratio)],
+            ..judged()
+        };
+        let said = |ratio| headline(&combined(ratio), Language::English);
+        assert!(
+            said(1.11).contains("1.19") && said(1.11).contains("1.11"),
+            "{}",
+            said(1.11)
+        );
+        assert!(!said(1.21).contains("1.21"), "{}", said(1.21));
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::document::{Cell, Column, Table};
 use crate::html::words::{evidence_word, part_and_quantity, set};
-use dolmen_project::{Quantity as Input, Structure};
+use dolmen_project::{Project, Quantity as Input};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, messages};
 use std::collections::BTreeSet;
@@ -38,7 +38,7 @@ struct OfPart<'a> {
     input: &'a Input,
 }
 
-fn of_part<'a>(structure: &Structure, input: &'a Input) -> Option<OfPart<'a>> {
+fn of_part<'a>(project: &Project, input: &'a Input) -> Option<OfPart<'a>> {
     if input.cov.is_some() || input.note.is_some() {
         return None;
     }
@@ -47,7 +47,7 @@ fn of_part<'a>(structure: &Structure, input: &'a Input) -> Option<OfPart<'a>> {
     if group.contains('.') || number.parse::<usize>().is_err() {
         return None;
     }
-    let words = |language| part_and_quantity(structure, &input.path, language);
+    let words = |language| part_and_quantity(project, &input.path, language);
     let [(name, quantity), (name_ko, quantity_ko)] = [words(Language::English)?, words(Language::Korean)?];
     let both = |english: String, korean: String| Both { english, korean };
     Some(OfPart {
@@ -60,10 +60,10 @@ fn of_part<'a>(structure: &Structure, input: &'a Input) -> Option<OfPart<'a>> {
 }
 
 /// A table per group of parts, and the remaining inputs.
-pub(crate) fn by_part<'a>(structure: &Structure, inputs: &[&'a Input]) -> (Vec<Table>, Vec<&'a Input>) {
+pub(crate) fn by_part<'a>(project: &Project, inputs: &[&'a Input]) -> (Vec<Table>, Vec<&'a Input>) {
     let known: Vec<OfPart<'a>> = inputs
         .iter()
-        .filter_map(|input| of_part(structure, input))
+        .filter_map(|input| of_part(project, input))
         .collect();
     let mut groups: Vec<&str> = known.iter().map(|of| of.group).collect();
     groups.dedup();

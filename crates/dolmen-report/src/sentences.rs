@@ -7,6 +7,7 @@ use crate::html::method::Method;
 use crate::identify::Nothing;
 use crate::inputs_by_part::ByPart;
 use crate::load_factor::LoadFactor;
+use crate::other_inputs::OtherInputs;
 use crate::surveys_given::Given;
 use crate::surveys_many::Many;
 use crate::whole::Appended;
@@ -27,6 +28,7 @@ pub fn sentences() -> Vec<Template> {
         BriefRows::TEMPLATES,
         Method::TEMPLATES,
         ByPart::TEMPLATES,
+        OtherInputs::TEMPLATES,
         Given::TEMPLATES,
         Many::TEMPLATES,
         Appended::TEMPLATES,

@@ -31,7 +31,7 @@ fn in_words(project: &Project, warning: &Warning) -> Both {
         .filter(|path| !path.contains(['[', '.']))
         .collect();
     Both::of(|language| {
-        let words = |path: &str| input_words(&project.structure, path, language);
+        let words = |path: &str| input_words(project, path, language);
         let said = paths_in_words(&warning.message.text(language), words);
         bare.iter()
             .fold(said, |said, path| with_item(&said, path, &words(path)))

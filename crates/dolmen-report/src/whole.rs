@@ -42,6 +42,9 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     all.extend(frame_simulation::findings(&answer.frame_simulations()));
     all.extend(chain::simulation_findings(&answer.chain_simulations()));
     all.extend(tune::findings(&answer.tunings(), &answer.together()));
+    if answer.check().is_some() {
+        all.retain(|finding| !tune::points_at_check(finding));
+    }
     all.extend(building_simulation::findings(&answer.building_simulations()));
     all.extend(modal::findings(answer.surveys()));
     all.extend(answer.change().into_iter().flat_map(change::findings));
@@ -107,6 +110,7 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
             whole.append(stack::comparison(state, answer.variants()));
         }
         whole.append(check::variants_section(check));
+        whole.append(check::variants_in_full(check));
     }
     if let Some(given) = given {
         whole.append(engineer::opinion(given));

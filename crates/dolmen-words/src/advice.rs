@@ -220,6 +220,7 @@ impl Advice for Note {
             | Self::NoDamping { .. }
             | Self::ClosePairs { .. }
             | Self::Blends { .. }
+            | Self::InValleys { .. }
             | Self::NotFitted { .. }
             | Self::FromPeaks { .. }
             | Self::HiddenPairs { .. }

@@ -152,6 +152,19 @@ pub struct ProjectReport {
     pub photos: Photos,
     /// Hash of the text of the project file.
     pub fingerprint: String,
+    /// The other files that were read.
+    pub files: Vec<FileRead>,
+}
+
+/// A file that an answer was computed from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileRead {
+    /// Its name in the project.
+    pub name: String,
+    /// Its size, bytes.
+    pub bytes: usize,
+    /// Hash of its bytes.
+    pub fingerprint: String,
 }
 
 impl ProjectReport {

@@ -137,6 +137,17 @@ pub enum WorkError {
     SamplesOfStack,
     /// The load factor of a sample is not a number.
     SampleNotANumber,
+    /// An input cannot stay below another one, as it must, with the scatter of both.
+    ScatterCrosses {
+        /// Path of the smaller one.
+        smaller: String,
+        /// Its coefficient of variation.
+        smaller_cov: f64,
+        /// Path of the larger one.
+        larger: String,
+        /// Its coefficient of variation.
+        larger_cov: f64,
+    },
     /// There is no such variant.
     NoSuchVariant {
         /// The name.

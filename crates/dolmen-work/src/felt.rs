@@ -1,6 +1,7 @@
 //! Earthquakes at the structure, and whether an inspection followed.
 
 use crate::compared_readings::has_modes;
+use crate::dated_works::works_by_day;
 use crate::survey_dates::{date, day_of};
 use crate::watched::WatchedEarthquake;
 use dolmen::monitoring::ANSWERED_DAYS;
@@ -32,15 +33,6 @@ pub fn felt(project: &Project, found: impl Fn(&Survey) -> Option<EarthquakePart>
 /// Whether a survey examines the structure.
 pub(crate) fn is_usable(survey: &Survey) -> bool {
     has_modes(survey) || !survey.tilt.is_empty() || survey.earthquake.is_some()
-}
-
-/// Works with a date, each with its day, by time.
-pub(crate) fn works_by_day(project: &Project) -> Vec<(f64, WorkPart)> {
-    let works = project.watch.works.iter();
-    let dated = works.filter_map(|work| Some((day_of(date(&work.date)?), work.clone())));
-    let mut works: Vec<(f64, WorkPart)> = dated.collect();
-    works.sort_by(|a, b| a.0.total_cmp(&b.0));
-    works
 }
 
 /// Whether a work examines the structure.

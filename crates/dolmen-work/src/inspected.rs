@@ -1,6 +1,7 @@
 //! Inspections over the years: number of damages of each kind, and the growth of each damage.
 
 use crate::compared_readings::DamageKey;
+use crate::dated_works::works_by_day;
 use crate::near_limit::is_near;
 use crate::survey_dates::{date, day_of};
 use dolmen::monitoring::{
@@ -237,6 +238,17 @@ pub(crate) fn inspections(project: &Project) -> impl Iterator<Item = (f64, &str,
         let day = day_of(date(&survey.name)?);
         (!survey.inspections.is_empty()).then_some((day, survey.name.as_str(), survey.inspections.as_slice()))
     })
+}
+
+/// The inspections of a project with a damage that has reached its limit; `None` if none has.
+pub fn inspected_beyond(project: &Project) -> Option<Inspected> {
+    let has_limit = inspections(project).any(|(.., items)| items.iter().any(|item| item.limit.is_some()));
+    let found = match has_limit {
+        true => inspected(project, &works_by_day(project), None).ok()?,
+        false => return None,
+    };
+    let is_any = found.beyond().next().is_some();
+    is_any.then_some(found)
 }
 
 /// Results of the inspections of a project over the years; `works` are by day, `newest` is the last day with any information.

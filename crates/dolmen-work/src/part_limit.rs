@@ -88,6 +88,8 @@ pub enum WhyNotCompared {
     NoSpectrum,
     /// A side post with a gap may close, which increases the demand above it.
     LoosePost,
+    /// Columns that alone support it lift off at a smaller drift, and are softer beyond than the springs of their beds.
+    FeetLiftOff,
 }
 
 impl PartLimit {
@@ -104,11 +106,14 @@ impl PartLimit {
         }
     }
 
-    /// The same with another upper bound on the drift.
+    /// The same with another upper bound on the drift, of which no lean takes a part.
     pub(crate) fn at_most(self, most: Option<f64>) -> Self {
-        let Some(most) = most else { return self };
+        let Some(most) = most.filter(|most| self.capacity.is_none_or(|capacity| *most < capacity)) else {
+            return self;
+        };
         PartLimit {
-            capacity: Some(self.capacity.map_or(most, |capacity| capacity.min(most))),
+            capacity: Some(most),
+            taken: 0.0,
             ..self
         }
     }

@@ -1,6 +1,6 @@
 //! `dolmen report`: all answers for one project.
 
-use crate::answer::{Answer, CheckAnswer, ProjectReport};
+use crate::answer::{Answer, CheckAnswer, FileRead, ProjectReport};
 use crate::building::tune;
 use crate::check::{CheckOptions, Sampling, check};
 use crate::compare::compared_of;
@@ -23,7 +23,7 @@ use crate::version::Version;
 use crate::watch::{can_watch, watch_of};
 use dolmen::stability::Verdict;
 use dolmen_project::{Structure, TemperaturePart};
-use dolmen_records::Files;
+use dolmen_records::{Files, RECORD_BYTES_MOST};
 
 /// Options of a report.
 #[derive(Debug, Default)]
@@ -104,7 +104,21 @@ pub fn report(
         left_out,
         photos,
         fingerprint: fingerprint(opened.text.as_bytes()),
+        files: files_read(files),
     })
+}
+
+/// The files read so far, each with its hash.
+fn files_read(files: &dyn Files) -> Vec<FileRead> {
+    let of = |name: String| {
+        let bytes = files.read(&name, RECORD_BYTES_MOST).ok()?;
+        Some(FileRead {
+            bytes: bytes.len(),
+            fingerprint: fingerprint(&bytes),
+            name,
+        })
+    };
+    files.names_read().into_iter().filter_map(of).collect()
 }
 
 /// The loose stones at rest, by both laws, and then under the motion if there is one.

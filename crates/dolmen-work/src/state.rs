@@ -339,6 +339,12 @@ pub struct Sampled {
     pub load_factors: Vec<f64>,
     /// Paths of the random inputs.
     pub inputs: Vec<String>,
+    /// Whether static loads add to the weight.
+    #[serde(skip)]
+    pub weighs_loads: bool,
+    /// For a plumb frame whose joints lose stiffness when they slip: the number of samples that fall while they stick.
+    #[serde(skip)]
+    pub falls_sticking: Option<usize>,
 }
 
 /// Quantiles of the samples whose load factors are printed.

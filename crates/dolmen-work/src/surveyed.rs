@@ -9,7 +9,8 @@ use crate::stack::FactorsAnswer;
 use crate::station_clocks::ClockDoubt;
 use dolmen::blocks::JointFactorsError;
 use dolmen::modal::{
-    JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt, StrongMotion,
+    JointSetups, LastingChange, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt,
+    StrongMotion,
 };
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
@@ -334,7 +335,7 @@ impl Earthquake {
             peak_m_s2: peak,
             is_at_least: peak.is_some() && largest.is_at_least(),
             changed: change.map(|of| of.ratio),
-            changed_sd: change.and_then(|of| of.ratio_sd),
+            changed_sd: change.and_then(LastingChange::sd_for_readers),
         }
     }
 }

@@ -2,9 +2,10 @@
 
 use crate::change_fault::ChangeFault;
 use crate::compared_readings::has_modes;
+use crate::dated_works::works_by_day;
 use crate::days::{Days, days};
 use crate::error::WorkError;
-use crate::felt::{answers, is_usable, set_answered, works_by_day};
+use crate::felt::{answers, is_usable, set_answered};
 use crate::inspected::{inspected, inspections};
 use crate::judgement::tilt_beyond_limit;
 use crate::left_out::found_without;

@@ -129,3 +129,18 @@ fn holds_the_allowable_drift_of_a_frame_is_a_state_like_the_drift_at_which_its_r
     assert!(json.contains("\"allowed drift\""), "{json}");
     assert!(answer.words().contains("allowed drift 2 %"), "{}", answer.stdout);
 }
+
+#[test]
+fn holds_a_list_ranks_a_building_whose_study_has_the_curve_of_its_allowable_drift() {
+    let scratch = Scratch::new("allowed-drift-ranked");
+    let study = "artificial = { count = 3, duration_s = 6, strong_s = 2, rise_s = 1 }\npeak = [\"0.2 g\", \"2 g\"]\nrefine = 0";
+    let limits = "[limits]\nstorey_drift = \"0.5 %\"\nsource = \"test\"\n";
+    fs::create_dir_all(scratch.path().join("hall")).unwrap();
+    let text = format!("{BUILDING}{SITE}{limits}[study.s]\n{study}\n");
+    fs::write(scratch.path().join("hall/project.toml"), text).unwrap();
+    let studied = scratch.dolmen("study hall");
+    assert_eq!(studied.status, 0, "{}{}", studied.stdout, studied.stderr);
+    let ranked = scratch.dolmen("rank .");
+    assert_eq!(ranked.status, 0, "{}{}", ranked.stdout, ranked.stderr);
+    assert!(ranked.stdout.contains("hall"), "{}", ranked.stdout);
+}

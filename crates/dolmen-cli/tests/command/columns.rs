@@ -143,3 +143,217 @@ fn holds_a_frame_of_one_storey_moves_on_its_columns_alone() {
     let beds = scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns");
     assert!(beds.words().contains("only on rigid stones"), "{}", beds.stdout);
 }
+
+/// The gate of the examples without ties, with beds of this stiffness; `more` goes to the end of the file.
+fn without_ties(scratch: &Scratch, beds: &str, more: &str) {
+    let text = format!(
+        r#"schema = 1
+kind = "frame"
+name = "Gate without ties"
+units = {{ mass = "t", stiffness = "kN/mm" }}
+storeys = [{{ mass = 32, height = 4, columns = {{ count = 4, diameter = 0.5, bed_stiffness = "{beds}" }} }}]
+[direction.x]
+stiffness = [0]
+damping_ratio = 0.03
+{more}"#
+    );
+    fs::write(scratch.path().join("gate.toml"), text).unwrap();
+}
+
+const LIMIT: &str = "[limits]\nstorey_drift = \"2 %\"\n";
+
+#[test]
+fn holds_columns_without_ties_follow_their_own_curve_beyond_lift_off() {
+    let scratch = Scratch::new("columns_curve");
+    let simulate = |peak: &str| {
+        let command = format!("simulate gate.toml --motion el-centro-1940-ns --peak {peak}");
+        json(&scratch, &command)["simulations"][0].clone()
+    };
+    let of = |value: &serde_json::Value| value.as_f64().unwrap_or_else(|| panic!("{value}"));
+    without_ties(&scratch, "4 GPa/m", LIMIT);
+    // below lift-off the springs of the beds give the same
+    let calm = simulate("0.01g");
+    assert_eq!(calm["columns_alone"]["outcome"], "stood");
+    let [springs, curve] =
+        [&calm["storeys"][0], &calm["columns_alone"]].map(|run| of(&run["peak_drift_m"]).abs());
+    assert!((springs / curve - 1.0).abs() < 2e-3, "{springs} {curve}");
+    // beyond it they are too stiff; 31.9 mm against 81 mm, of which the worse decides
+    let run = simulate("0.2g");
+    let [springs, curve] =
+        [&run["storeys"][0], &run["columns_alone"]].map(|run| of(&run["peak_drift_m"]).abs());
+    assert_eq!(run["columns_alone"]["outcome"], "rocked", "{run}");
+    assert!(curve > 2.0 * springs && curve > 0.07, "{springs} {curve}");
+    assert!(
+        (of(&run["limits"]["parts"][0]["demand"]) - curve / 4.0).abs() < 1e-9,
+        "{}",
+        run["limits"]
+    );
+    let answer = scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 0.2g");
+    assert_eq!(answer.status, 1, "{}", answer.stdout);
+    assert!(
+        answer.words().contains("below demand") && answer.words().contains("the larger counts"),
+        "{}",
+        answer.stdout
+    );
+    let korean = scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 0.2g --language ko");
+    assert!(korean.words().contains("하중-변위 곡선"), "{}", korean.stdout);
+    // without an allowable drift nothing is decided
+    without_ties(&scratch, "4 GPa/m", "");
+    let answer = scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 0.2g");
+    assert!(
+        answer.words().contains("not decided (no limit is known)"),
+        "{}",
+        answer.stdout
+    );
+    // and a fall is a fall
+    let answer = scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 1g");
+    assert_eq!(answer.status, 1);
+    assert!(
+        answer.words().contains("the columns have fallen at"),
+        "{}",
+        answer.stdout
+    );
+}
+
+#[test]
+fn holds_springs_of_beds_decide_nothing_beyond_lift_off() {
+    let scratch = Scratch::new("columns_undecided");
+    let site = "[site]\ncode = \"KDS 17 10 00\"\nzone = \"I\"\nreturn_period_years = 2400\nsoil = \"S5\"\n";
+    without_ties(&scratch, "40 GPa/m", &format!("{LIMIT}{site}"));
+    let checked = scratch.dolmen("check gate.toml");
+    let words = checked.words();
+    assert!(
+        words.contains("not decided (columns without ties lift off"),
+        "{}",
+        checked.stdout
+    );
+    assert!(
+        words.contains("lift off their stones at a smaller drift than the spectrum asks for"),
+        "{}",
+        checked.stdout
+    );
+    assert!(!words.contains("above demand"), "{}", checked.stdout);
+    // two storeys are not followed
+    let path = scratch.path().join("gate.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let storey = "{ mass = 32, height = 4, columns";
+    let two = text
+        .replace(storey, &format!("{{ mass = 8, height = 3 }}, {storey}"))
+        .replace("[0]", "[9, 0]");
+    fs::write(&path, two).unwrap();
+    let answer = scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 0.2g");
+    assert!(
+        answer
+            .words()
+            .contains("not decided (columns without ties lift off"),
+        "{}",
+        answer.stdout
+    );
+}
+
+#[test]
+fn holds_check_and_simulate_share_the_lean_at_which_columns_have_fallen() {
+    let scratch = Scratch::new("columns_lean");
+    let leans = |tilt: &str| {
+        without_ties(
+            &scratch,
+            "0.4 GPa/m",
+            &format!("[survey.2025-01-01]\ntilt = {{ x = \"{tilt}\" }}\n"),
+        )
+    };
+    let calm = || scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 0.01g");
+    // 1/40 pushes with 2.5 % of the weight, of which the columns hold 5.48 %
+    leans("1/40");
+    let checked = json(&scratch, "check gate.toml");
+    assert_eq!(checked["state"]["verdict"], "stable");
+    let stands = calm();
+    assert!(
+        stands.status == 0 && !stands.words().contains("fallen"),
+        "{}",
+        stands.stdout
+    );
+    assert!(
+        scratch
+            .dolmen("check gate.toml")
+            .words()
+            .contains("counts as fallen from 1/18.3")
+    );
+    // 1/17 pushes with 5.9 %
+    leans("1/17");
+    let checked = json(&scratch, "check gate.toml");
+    assert_eq!(checked["state"]["verdict"], "unstable");
+    assert_eq!(calm().status, 1, "{}", calm().stdout);
+    // beyond the drift of the largest force the springs say so
+    without_ties(&scratch, "0.4 GPa/m", "");
+    let falls = scratch.dolmen("simulate gate.toml --motion el-centro-1940-ns --peak 0.5g");
+    let words = falls.words();
+    assert!(
+        words.contains("where its columns resist most") && !words.contains("more than 10 %"),
+        "{}",
+        falls.stdout
+    );
+}
+
+#[test]
+fn holds_a_study_counts_the_worse_of_springs_and_columns() {
+    let scratch = Scratch::new("columns_study");
+    without_ties(
+        &scratch,
+        "4 GPa/m",
+        "[study.s]\nmotions = [\"el-centro-1940-ns\"]\npeak = [\"0.2 g\"]\n",
+    );
+    let answer = scratch.dolmen("study gate.toml --study s --output out");
+    assert!(answer.status < 2, "{}{}", answer.stdout, answer.stderr);
+    let rows = fs::read_to_string(scratch.path().join("out/s/runs.csv")).unwrap();
+    let mut lines = rows.lines();
+    let place = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .position(|name| name == "peak_drift_m")
+        .unwrap();
+    let drift: f64 = lines
+        .next()
+        .unwrap()
+        .split(',')
+        .nth(place)
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!(drift > 0.07, "{rows}");
+}
+
+#[test]
+fn holds_maps_of_columns_without_ties_end_at_lift_off() {
+    let scratch = Scratch::new("columns_maps");
+    let study = |of: &str| {
+        without_ties(&scratch, "0.4 GPa/m", &format!("[study.m]\n{of}\n"));
+        let output = if of.contains("harmonic") {
+            "out"
+        } else {
+            "out-release"
+        };
+        scratch.dolmen(&format!(
+            "study gate.toml --study m --output {output} --force --restart"
+        ))
+    };
+    let harmonic = "harmonic = { frequency = [\"0.5 Hz\"], acceleration = [\"0.001 g\", \"0.1 g\"] }";
+    let answer = study(harmonic);
+    assert!(answer.status < 2, "{}{}", answer.stdout, answer.stderr);
+    let points = fs::read_to_string(scratch.path().join("out/m/harmonic.csv")).unwrap();
+    let states: Vec<bool> = points
+        .lines()
+        .skip(1)
+        .map(|line| line.contains("beyond the drift limit"))
+        .collect();
+    assert_eq!(states, [false, true], "{points}");
+    let small = study("release = \"10 mm\"");
+    assert!(small.status < 2, "{}{}", small.stdout, small.stderr);
+    let refused = study("release = \"150 mm\"");
+    assert!(
+        refused.status > 1 && refused.stderr.contains("smaller displacement"),
+        "{}{}",
+        refused.stdout,
+        refused.stderr
+    );
+}

@@ -220,6 +220,87 @@ fn agrees_a_damaged_chain_and_frame_are_those_written_so_by_hand() {
 }
 
 #[test]
+fn agrees_every_stiffness_of_a_damaged_storey_is_reduced() {
+    let scratch = Scratch::new("damaged-storey");
+    let frame = |columns: &str, direction: &str| {
+        format!(
+            "schema = 1\nkind = \"frame\"\nname = \"gate\"\nunits = {{ mass = \"t\", force = \"kN\", stiffness = \"kN/mm\" }}\n\
+             storeys = [{{ name = \"hall\", mass = 60, height = 5{columns} }}]\n[direction.x]\ndamping_ratio = 0.02\n{direction}"
+        )
+    };
+    let broken = inspection("2026-05-12", "hall", "stiffness_left = 0.5");
+    let slips = |stuck: &str, slipping: &str| {
+        let friction = format!("law = \"jenkins\"\ncoefficient = 0.03\nslipping_stiffness = [{slipping}]\n");
+        frame(
+            "",
+            &format!("stiffness = [{stuck}]\n[direction.x.friction]\n{friction}"),
+        )
+    };
+    same_numbers(&scratch, &(slips("8", "5") + &broken), &slips("4", "2.5"));
+    let tenons = |own: &str, tenons: &str| {
+        let loose = format!("slack = [\"4 mm/m\"]\nstiffness = [{tenons}]\n");
+        frame("", &format!("stiffness = [{own}]\n[direction.x.tenons]\n{loose}"))
+    };
+    same_numbers(&scratch, &(tenons("8", "6") + &broken), &tenons("4", "3"));
+    // on its columns alone: their beds
+    let columns = |bed: &str| {
+        let feet = format!(", columns = {{ count = 4, diameter = 0.5, bed_stiffness = \"{bed} GPa/m\" }}");
+        frame(&feet, "stiffness = [0]\n")
+    };
+    same_numbers(&scratch, &(columns("0.8") + &broken), &columns("0.4"));
+    write(
+        &scratch,
+        "pier.toml",
+        &(frame(", columns = { count = 4, diameter = 0.5 }", "stiffness = [0]\n") + &broken),
+    );
+    let refused = scratch.briefly("check pier.toml");
+    assert_ne!(refused.status, 0);
+}
+
+#[test]
+fn agrees_a_bed_lost_at_one_side_loses_less_stiffness_across_it() {
+    let scratch = Scratch::new("damaged-two-axes");
+    let pole = |bed: &str, joint: &str| {
+        format!(
+            "{CHAIN}links = [{{ name = \"low\", weight = 40, length = 3.5, centroid = 1.7, bed_width = 0.6 }}, {{ name = \"top\", weight = 18, length = 2.8, centroid = 1.3, bed_width = {bed} }}]\n\
+             joints = [{{ stiffness = 3000, stiffness_across = 3600, bed_depth = 0.8 }}, {{ {joint} }}]\n"
+        )
+    };
+    let whole = pole("0.5", "stiffness = 900, stiffness_across = 600, bed_depth = 0.4");
+    // equal springs: k ∝ b³ along the side, ∝ b across it; 0.9³ = 0.729
+    for (side, bed, joint) in [
+        (
+            "y+",
+            "0.5",
+            "stiffness = 810, stiffness_across = 437.4, bed_depth = 0.32",
+        ),
+        (
+            "x-",
+            "0.4",
+            "stiffness = 656.1, stiffness_across = 540, bed_depth = 0.4",
+        ),
+    ] {
+        let lost = inspection("2026-05-12", "top", &format!("bed_lost = 0.1, side = \"{side}\""));
+        same_numbers(&scratch, &(whole.clone() + &lost), &pole(bed, joint));
+    }
+    // without a side it may be either
+    let lost = inspection("2026-05-12", "top", "bed_lost = 0.1");
+    let by_hand = pole(
+        "0.4",
+        "stiffness = 656.1, stiffness_across = 437.4, bed_depth = 0.32",
+    );
+    same_numbers(&scratch, &(whole + &lost), &by_hand);
+    // left to the sides of the bed: 900 (0.4 / 0.5)² across, before the loss
+    let ratio = pole("0.5", "stiffness = 900, bed_depth = 0.4");
+    let lost = inspection("2026-05-12", "top", "bed_lost = 0.1, side = \"x+\"");
+    let by_hand = pole(
+        "0.4",
+        "stiffness = 656.1, stiffness_across = 518.4, bed_depth = 0.4",
+    );
+    same_numbers(&scratch, &(ratio + &lost), &by_hand);
+}
+
+#[test]
 fn holds_the_headline_says_which_damage_and_the_last_word_of_inspections_counts() {
     let scratch = Scratch::new("damaged-headline");
     let found = inspection("2024-05-12", "top", "stiffness_left = 0.75");

@@ -147,3 +147,27 @@ fn holds_several_projects_are_one_document() {
         "the answer names what it leaves out"
     );
 }
+
+#[test]
+fn holds_the_sources_have_a_fingerprint_of_every_file_that_was_read() {
+    let scratch = Scratch::new("documents-files");
+    let project = "schema = 1\nkind = \"survey\"\nname = \"Pagoda\"\nsurveys = { file = \"list.csv\" }\n";
+    fs::write(scratch.path().join("project.toml"), project).unwrap();
+    let line = |tilt: &str| {
+        let list = format!(
+            "date,frequency x 1 (Hz),tilt x (mm/m)\n2016-05-03,2.938,11.15\n2016-11-05,2.981,{tilt}\n"
+        );
+        fs::write(scratch.path().join("list.csv"), list).unwrap();
+        let answer = scratch.briefly("report . -o page.html --force");
+        assert!(answer.stderr.is_empty() || answer.status < 2, "{}", answer.stderr);
+        let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+        let of = |word: &str| page[page.find(word).unwrap()..][..80].to_owned();
+        (of("File list.csv"), of("Fingerprint of the project file"))
+    };
+    let (before, project) = line("11.30");
+    let (after, same) = line("11.31");
+    assert!(
+        before.contains("bytes: ") && before != after && project == same,
+        "{before} {after}"
+    );
+}

@@ -270,7 +270,7 @@ fn holds_columns_without_ties_are_one_structure_everywhere() {
         "simulate {path} --variant no_ties --motion el-centro-1940-ns --peak 0.02g"
     ));
     assert!(
-        alone.words().contains("restoring moment"),
+        alone.words().contains("no foot lifts off"),
         "{}{}",
         alone.stdout,
         alone.stderr

@@ -243,3 +243,39 @@ fn agrees_the_years_name_the_joint_that_the_storm_loosened() {
     );
     assert_eq!(damage("shaft 2", "C2".into())["beyond_chance"], false);
 }
+
+#[test]
+fn holds_a_damage_beyond_its_limit_is_red_in_check_and_report_however_few_the_surveys() {
+    let scratch = Scratch::new("inspected-limit");
+    let pole = |size: &str, more: &str| {
+        let model = "schema = 1\nkind = \"stack\"\nname = \"pier\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
+                     blocks = [{ name = \"stone 3\", width = 1.0, depth = 1.0, height = 1.0 }]\n";
+        let text = format!(
+            "{model}{more}[survey.2026-05-01]\ninspections = [{}]\n",
+            crack(size)
+        );
+        fs::write(scratch.path().join("pier.toml"), text).unwrap();
+        let found = scratch.briefly("check pier.toml --json");
+        let judged: Value = serde_json::from_str(&found.stdout).unwrap();
+        let version = &judged["judgement"]["versions"][0];
+        (found.status, version["damage_beyond_limit"].as_u64().unwrap())
+    };
+    assert_eq!(pole("0.79 mm", ""), (0, 0));
+    // mended after the inspection
+    assert_eq!(
+        pole(
+            "0.90 mm",
+            "[watch]\nworks = [{ date = \"2026-06-01\", kind = \"repair\", what = \"crack filled\" }]\n"
+        ),
+        (0, 0)
+    );
+    assert_eq!(pole("0.90 mm", ""), (1, 1));
+    let answer = scratch.briefly("check pier.toml");
+    let words = answer.words();
+    assert!(words.contains("Damage beyond its limit: 1"), "{words}");
+    assert!(words.contains("limit of 0.8 mm"), "{words}");
+    let reported = scratch.briefly("report pier.toml -o pier.html");
+    assert_eq!(reported.status, 1, "{}", reported.stderr);
+    let page = fs::read_to_string(scratch.path().join("pier.html")).unwrap();
+    assert!(page.contains("Damage beyond its limit: 1"), "{page}");
+}

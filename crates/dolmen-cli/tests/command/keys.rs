@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 63] = [
+const COMMANDS: [&str; 64] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -53,6 +53,7 @@ const COMMANDS: [&str; 63] = [
     "simulate examples/heunginjimun_gate/two_directions.toml --motion el-centro --keep-first 6 --variant leaning",
     "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/several_dampers --motion el-centro-1940-ns --keep-first 2",
+    "simulate examples/free_columns/wind.toml --variant no_ties --motion el-centro-1940-ns --keep-first 2",
     "tune examples/twisting_floor --floors all",
     "tune examples/several_dampers",
     "motion --motion el-centro-1940-ns --spectrum",

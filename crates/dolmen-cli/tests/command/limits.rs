@@ -80,7 +80,7 @@ fn exact_a_storey_is_held_against_its_allowable_drift_by_the_spectrum() {
     assert_eq!(answer.status, 0, "{}", answer.stdout);
     assert!(
         answer.words().contains("not decided (no limit is known)")
-            && answer.words().contains("write [limits]"),
+            && answer.words().contains("Write [limits]"),
         "{}",
         answer.stdout
     );

@@ -81,6 +81,7 @@ mod out_of_range;
 mod plan_stiffness;
 mod printed_names;
 mod prints;
+mod reported_variants;
 mod safety;
 mod said_plainly;
 mod scanned;

@@ -308,3 +308,162 @@ fn exact_which_samples_fall_by_themselves_in_frames_buildings_and_stacks() {
     let words = frame.answer.words();
     assert!(!words.contains("the weakest at 0.00"), "{words}");
 }
+
+const LEANING: &str = r#"
+schema = 1
+kind = "frame"
+name = { en = "Gate that leans" }
+units = { length = "m", mass = "t", stiffness = "kN/mm" }
+evidence = "measured"
+storeys = [ { mass = 30, height = 4 } ]
+direction.x.stiffness = [ { value = 0.11, cov = 0.3 } ]
+direction.x.damping_ratio = 0.05
+[limits]
+storey_drift = "3 %"
+[survey.2024-03-01]
+tilt = { x = "1/100" }
+[study.samples]
+samples = 40
+artificial = { count = 4, duration_s = 8, seed = 3 }
+peak = { from = "0.02 g", to = "0.6 g", steps = 6, spacing = "logarithmic" }
+"#;
+
+/// The lean of one storey at rest is that of the survey, times λ/(λ − 1).
+#[test]
+fn exact_which_samples_lean_beyond_the_allowed_drift_at_rest() {
+    let study = studied("leaning_beyond", LEANING);
+    let (mut at_rest, mut fallen, mut within) = (0, 0, Vec::new());
+    for row in &study.scans {
+        let factor = drawn(row, "stiffness") * 4.0 / (30e3 * 9.80665);
+        let lean = 0.01 * factor / (factor - 1.0);
+        let first = row["first_beyond_allowed_drift_m_s2"].parse::<f64>().ok();
+        let is_at_rest = factor <= 1.0 || lean > 0.03;
+        assert_eq!(first == Some(0.0), is_at_rest, "{factor} {lean} {row:?}");
+        at_rest += usize::from(is_at_rest);
+        fallen += usize::from(factor <= 1.0 || lean > 0.1);
+        if !is_at_rest {
+            within.push(first);
+        }
+    }
+    let own = study.curves.last().unwrap();
+    assert_eq!(own["state"], "allowed drift");
+    let scans = at_rest + within.len();
+    assert_eq!(number(own, "scans"), scans as f64);
+    assert_eq!(number(own, "fell_by_itself"), fallen as f64);
+    assert_eq!(number(own, "leans_beyond_at_rest"), (at_rest - fallen) as f64);
+    let p0 = at_rest as f64 / scans as f64;
+    assert!((number(own, "probability_without_shaking") - p0).abs() < 1e-12);
+    // the curve is that of the others: its median lies between their smallest and largest capacity
+    let seen: Vec<f64> = within.into_iter().flatten().collect();
+    let theta = number(own, "theta_pga_m_s2");
+    assert!(
+        at_rest > fallen && fallen > 0 && !seen.is_empty(),
+        "{at_rest} {fallen}"
+    );
+    let least = seen.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(
+        theta >= 0.5 * least && theta < seen.iter().copied().fold(0.0, f64::max),
+        "{theta} {seen:?}"
+    );
+    let words = study.answer.words();
+    let said = format!("{at_rest} of {scans} scans are beyond the allowable 3.00 % of a storey");
+    assert!(words.contains(&said), "{said}: {words}");
+}
+
+/// A structure without scatter that leans beyond the drift from the start; and the ranking of a study with an allowed drift.
+#[test]
+fn exact_a_lean_at_rest_beyond_the_allowed_drift_needs_no_shaking() {
+    let file = LEANING
+        .replace("{ value = 0.11, cov = 0.3 }", "0.2")
+        .replace("1/100", "1/50")
+        .replace("samples = 40\n", "");
+    let study = studied("leaning_one", &file);
+    let words = study.answer.words();
+    // λ = 2.719: 2 % × 2.719/1.719
+    assert!(
+        words.contains("4 of 4 scans lean beyond the allowable 3.00 %") && words.contains("by up to 3.16 %"),
+        "{words}"
+    );
+    assert!(!words.contains("drifted beyond"), "{words}");
+    fs::create_dir_all(study.scratch.path().join("all/gate")).unwrap();
+    fs::write(study.scratch.path().join("all/gate/project.toml"), &file).unwrap();
+    let again = study.scratch.dolmen("study all/gate --study samples");
+    assert_eq!(again.status, 0, "{}", again.stderr);
+    let table = "name,zone_factor_g,soil,project,study\ngate,0.11,S2,all/gate,samples\n";
+    fs::write(study.scratch.path().join("portfolio.csv"), table).unwrap();
+    let ranked = study.scratch.dolmen("rank portfolio.csv --state falls");
+    assert_eq!(ranked.status, 0, "{}{}", ranked.stdout, ranked.stderr);
+}
+
+/// The limits that a study sets or that its variant has are those that it compares with.
+#[test]
+fn holds_a_study_compares_with_its_own_limits() {
+    let file = LEANING.replace("{ value = 0.11, cov = 0.3 }", "2.2").replace(
+        "samples = 40\n",
+        "set = { \"limits.storey_drift\" = \"0.5 %\" }\n",
+    );
+    let study = studied("own_limits", &file);
+    let words = study.answer.words();
+    assert!(words.contains("the allowable 0.500 %"), "{words}");
+    let both = file.replace(
+        "set = { \"limits.storey_drift\" = \"0.5 %\" }",
+        "vary = { \"limits.storey_drift\" = [\"0.5 %\", \"3 %\"] }",
+    );
+    let study = studied("two_limits", &both);
+    let words = study.answer.words();
+    assert!(
+        words.contains("the allowable drift of [limits] differs between the combinations"),
+        "{words}"
+    );
+}
+
+/// A map starts from the lean of the survey: its largest drift is that of a plumb frame and the drift at rest, h τ/(λ − 1).
+#[test]
+fn exact_a_map_of_a_leaning_frame_holds_the_drift_at_rest() {
+    let scratch = Scratch::new("leaning_map");
+    let (before, _) = LEANING.split_once("[study.samples]").unwrap();
+    let map = "[study.samples]\nharmonic = { frequency = [\"0.9 Hz\"], acceleration = [\"0.2 m/s2\"] }\n";
+    let file = format!("{before}{map}").replace("{ value = 0.11, cov = 0.3 }", "0.2");
+    let drift = |tilt: &str| -> f64 {
+        fs::write(scratch.path().join("project.toml"), file.replace("1/100", tilt)).unwrap();
+        let answer = scratch.dolmen("study . --study samples -o out --restart");
+        assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+        let row = rows(&scratch.path().join("out/samples/harmonic.csv")).remove(0);
+        assert_eq!(row["state"], "steady", "{row:?}");
+        number(&row, "drift_m")
+    };
+    let factor = 0.2e6 * 4.0 / (30e3 * 9.80665);
+    let at_rest = 4.0 * 0.01 / (factor - 1.0);
+    let (plumb, leaning) = (drift("0"), drift("1/100"));
+    assert!(
+        (leaning - plumb - at_rest).abs() < 1e-3 * at_rest,
+        "{plumb} {leaning} {at_rest}"
+    );
+}
+
+/// A bed whose drawn strength is below the pressure of the weight, N/b², crushes without shaking: it is no error, and not left out.
+#[test]
+fn exact_which_samples_crush_their_bed() {
+    let joint = "joints = [ { stiffness = 900, strength = { value = \"0.2 MPa\", cov = 0.2 } } ]";
+    let (before, after) = CHAIN.split_once("joints = ").unwrap();
+    let (_, after) = after.split_once('\n').unwrap();
+    let file = format!("{before}{joint}\n{after}")
+        .replace("weight = { value = 30, cov = 0.1 }", "weight = 58")
+        .replace("samples = 40", "samples = 30");
+    let study = studied("crushed", &file);
+    assert_eq!(
+        study.answer.status, 0,
+        "{}{}",
+        study.answer.stdout, study.answer.stderr
+    );
+    let [right, said] = alone(&study, |row| drawn(row, "strength") <= 58e3 / 0.36);
+    assert_eq!(said, right);
+    assert!((1..15).contains(&right.len()), "{right:?}");
+    let checked = study.scratch.dolmen("check . --samples 200");
+    assert!(
+        checked.words().contains("of 200 samples"),
+        "{}{}",
+        checked.stdout,
+        checked.stderr
+    );
+}

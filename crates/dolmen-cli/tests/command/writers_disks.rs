@@ -29,7 +29,7 @@ fn fill(folder: &Path, free: usize) {
 #[test]
 fn refuses_a_full_or_read_only_disk_whatever_writes_and_keeps_what_was_there() {
     let scratch = Scratch::with_examples("full-disk");
-    let Some(small) = Small::of(&scratch, "4m") else {
+    let Some(small) = Small::of(&scratch, "8m") else {
         return;
     };
     let folder = scratch.path().join("small");

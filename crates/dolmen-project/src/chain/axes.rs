@@ -110,6 +110,24 @@ impl ChainPart {
         }
     }
 
+    /// Whether the bed below a link crushes under the weight above it alone, with that of static loads; not with the values of the file.
+    pub fn bed_crushes(&self, loads: &LoadsPart, pick: Pick<'_>) -> bool {
+        let mut normal_n = 0.0;
+        for (i, link) in self.links.iter().enumerate().rev() {
+            normal_n += link.heaviness.mass_kg(self.gravity_m_s2, pick) * self.gravity_m_s2;
+            let own = loads.loads.iter().filter(|load| load.part == i);
+            normal_n += own
+                .filter_map(|load| load.weight.as_ref())
+                .map(&mut *pick)
+                .sum::<f64>();
+            let bed = self.bed(i, pick).filter(|bed| bed.strength_pa.is_some());
+            if bed.is_some_and(|bed| bed.moment_n_m(normal_n) <= 0.0) {
+                return true;
+            }
+        }
+        false
+    }
+
     /// The bed below a link, from 0 at the bottom, for motion in a direction; `None` where its width is not given.
     pub fn bed(&self, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
         let part = self.links.get(link)?;

@@ -225,6 +225,16 @@ impl ChainPart {
         }))
     }
 
+    /// Pairs of inputs of which the first is never above the second: the friction moment of a joint while it turns and before.
+    pub(crate) fn ordered_inputs(&self) -> Vec<[&Quantity; 2]> {
+        let joints = self.joints.iter().flatten();
+        let each = joints.filter_map(|joint| {
+            let friction = joint.friction.as_ref()?;
+            Some([&friction.kinetic, friction.fixed.as_ref()?])
+        });
+        each.collect()
+    }
+
     pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         for link in &self.links {
             all.extend([link.heaviness.quantity(), &link.length, &link.centroid]);

@@ -358,6 +358,34 @@ impl FramePart {
         Some(slipping.iter().map(pick).collect())
     }
 
+    /// Whether joints of a direction lose stiffness when they slip.
+    pub fn softens(&self) -> bool {
+        let mut friction = self.directions.iter().filter_map(|own| own.friction.as_ref());
+        friction.any(|own| own.slipping_stiffness.is_some())
+    }
+
+    /// Pairs of inputs of which the first is never above the second: the stiffness of a storey while its slider slips and while it sticks, the
+    /// coefficient of friction while slipping and before.
+    pub(crate) fn ordered_inputs(&self) -> Vec<[&Quantity; 2]> {
+        let mut all = Vec::new();
+        for direction in &self.directions {
+            let Some(friction) = &direction.friction else {
+                continue;
+            };
+            let stuck = direction.stiffness.iter().flatten();
+            let slipping = friction.slipping_stiffness.iter().flatten();
+            all.extend(slipping.zip(stuck).map(|(slipping, stuck)| [slipping, stuck]));
+            if let SlipForces::Coefficient {
+                kinetic,
+                fixed: Some(fixed),
+            } = &friction.slip
+            {
+                all.push([kinetic, fixed]);
+            }
+        }
+        all
+    }
+
     pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         for storey in &self.storeys {
             all.extend([storey.heaviness.quantity(), &storey.height]);

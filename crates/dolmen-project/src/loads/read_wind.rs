@@ -5,6 +5,7 @@ use super::part::{WindArea, WindGiven, WindPart, WindSpeed};
 use super::parts::{Parts, on_part, part_of};
 use super::read_in_time::in_time;
 use crate::error::Fault;
+use crate::exact::exact;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::needed::listed;
@@ -32,6 +33,7 @@ pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Pa
         Measure::Density,
         Bound::Positive,
     );
+    let density = exact(reader, density, of.density.as_ref());
     let force_coefficient = reader.quantity(
         of.force_coefficient.as_ref(),
         "wind.force_coefficient",

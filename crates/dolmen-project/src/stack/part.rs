@@ -466,6 +466,15 @@ impl BedPart {
 }
 
 impl StackPart {
+    /// Pairs of inputs of which the first is never above the second: kinetic and static friction of a bed.
+    pub(crate) fn ordered_inputs(&self) -> Vec<[&Quantity; 2]> {
+        let blocks = self.blocks.iter().map(|block| &block.joint);
+        let contacts = self.contacts.iter().map(|contact| &contact.joint);
+        let beds = std::iter::once(&self.joint).chain(blocks).chain(contacts);
+        let each = beds.filter_map(|bed| Some([bed.friction_kinetic.as_ref()?, bed.friction.as_ref()?]));
+        each.collect()
+    }
+
     pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         all.extend(&self.density);
         self.joint.inputs(all);

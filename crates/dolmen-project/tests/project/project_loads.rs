@@ -150,6 +150,24 @@ fn refuses_wind_on_a_link_whose_width_nobody_gave() {
 }
 
 #[test]
+fn refuses_scatter_that_samples_do_not_draw() {
+    let air = said(
+        "wind = { speed = 30, means = \"gust\", force_coefficient = 2.0, density = { value = 1.25, cov = 0.1 } }",
+    );
+    assert!(air.contains("wind.density = 1.25 kg/m3 has a scatter"), "{air}");
+    assert!(
+        air.contains("samples do not draw it: leave cov or sd out"),
+        "{air}"
+    );
+    let pull = POLE.replace("units =", "gravity = { value = 9.8, cov = 0.01 }\nunits =");
+    let pull = parse_project(&pull, "pole.toml").unwrap_err().to_string();
+    assert!(
+        pull.contains("gravity = 9.8") && pull.contains("has a scatter"),
+        "{pull}"
+    );
+}
+
+#[test]
 fn refuses_loads_that_load_nothing_and_combinations_without_weight() {
     for (lines, message) in [
         (

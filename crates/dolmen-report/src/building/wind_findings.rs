@@ -34,6 +34,10 @@ messages! {
             en: "In the wind of the file the largest peak drift at an edge is {ratio} of the storey height, below floor {floor}, the wind along {axis}.",
             ko: "입력한 바람에서 단부 최대 층간변위는 {floor} 바닥 아래에서 층고의 {ratio}이며 풍향은 {axis} 방향이다.",
         },
+        WithinDrift { ratio: Quantity, limit: Quantity, floor: Sentence, axis: Sentence } => {
+            en: "In the wind of the file the largest peak drift at an edge is {ratio} of the storey height, below floor {floor}, the wind along {axis}; {limit} is allowed.",
+            ko: "입력한 바람에서 단부 최대 층간변위는 {floor} 바닥 아래에서 층고의 {ratio}이며 풍향은 {axis} 방향이다. 허용값 {limit} 이내이다.",
+        },
         BeyondDrift { ratio: Quantity, limit: Quantity, floor: Sentence, axis: Sentence } => {
             en: "The storey below floor {floor} is beyond its limit in the wind along {axis}: it drifts by {ratio} of its height, {limit} is allowed.",
             ko: "{axis} 방향 바람에서 {floor} 바닥 아래층의 층간변위비 {ratio}이(가) 허용값 {limit}을(를) 넘는다.",
@@ -132,6 +136,15 @@ fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, wind: &BuildingWi
         Some(limit) if of_height > limit => Finding::key(
             Tone::Bad,
             Blown::BeyondDrift {
+                ratio,
+                limit: Quantity::percent(limit, 3),
+                floor,
+                axis,
+            },
+        ),
+        Some(limit) if of_height <= limit => Finding::key(
+            Tone::Good,
+            Blown::WithinDrift {
                 ratio,
                 limit: Quantity::percent(limit, 3),
                 floor,

@@ -1,8 +1,9 @@
 //! Results that depend on assumed values.
 
 use super::variants::title;
+use super::variants::version;
 use crate::document::{Finding, Tone};
-use crate::html::words::input_words;
+use crate::html::words::{input_words, set};
 use dolmen_project::{Cap, JointDefaults, Project, Quantity as Input, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -115,7 +116,7 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         answer
             .variants
             .iter()
-            .filter_map(|variant| of_variant(variant, &answer.project.structure)),
+            .filter_map(|variant| of_variant(variant, &answer.project)),
     );
     all
 }
@@ -152,7 +153,7 @@ pub(crate) fn of_project(project: &Project) -> Option<Finding> {
     let is_body = |q: &Input| !is_stiffness(q) && !is_damping(q) && !is_surveyed(q);
     let of = |which: &dyn Fn(&Input) -> bool| {
         let own: Vec<&Input> = assumed.iter().copied().filter(|q| which(q)).collect();
-        named(structure, &own)
+        named(project, &own)
     };
     let taken = match structure {
         Structure::Stack(part) => Some(part.joint_defaults()),
@@ -180,12 +181,12 @@ pub(crate) fn of_project(project: &Project) -> Option<Finding> {
 }
 
 /// "friction of the joints, width of body 1, width of roof 1 and 4 more"; `None` without an input.
-fn named(structure: &Structure, inputs: &[&Input]) -> Option<Sentence> {
+fn named(project: &Project, inputs: &[&Input]) -> Option<Sentence> {
     let (some, rest) = inputs.split_at(inputs.len().min(NAMED_MOST));
     let names = Both::of(|language| {
         let each = some
             .iter()
-            .map(|input| input_words(structure, &input.path, language));
+            .map(|input| input_words(project, &input.path, language));
         each.collect::<Vec<_>>().join(", ")
     });
     match (some.is_empty(), rest.len()) {
@@ -221,12 +222,13 @@ fn damping_words(structure: &Structure, inputs: Sentence) -> Assumed {
 }
 
 /// Assumptions that a variant adds, which affect all its results.
-fn of_variant(variant: &VariantAnswer, structure: &Structure) -> Option<Finding> {
+fn of_variant(variant: &VariantAnswer, project: &Project) -> Option<Finding> {
+    let project = version(project, variant);
     let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
     let said = |input: &Input| {
         Sentence::from(Assumed::Input {
-            input: Both::of(|language| input_words(structure, &input.path, language)),
-            written: input.written.replace('*', "·"),
+            input: Both::of(|language| input_words(project, &input.path, language)),
+            written: set(&input.written),
         })
     };
     let inputs: Vec<Sentence> = assumed.map(said).collect();

@@ -3,11 +3,13 @@
 use super::agreement::agreement;
 use super::{assumed, from_surveys, measured, sampled, variants};
 use crate::document::{Finding, Tone};
+use crate::watch::beyond_limits;
 use crate::{building, chain, demand, frame, loads, stack};
 use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::answer::{CheckAnswer, UnreadableMotion};
+use dolmen_work::inspected::inspected_beyond;
 use dolmen_work::judgement::{Colour, Evidence, drift_left, missed_modes};
 use dolmen_work::state::{Check, LOAD_FACTOR_USUAL_MOST, State};
 use dolmen_work::survey_date;
@@ -231,7 +233,11 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
 
 /// All findings of a check, the worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
-    let mut all = measured::severe_damage(&answer.project);
+    let mut all: Vec<Finding> = inspected_beyond(&answer.project)
+        .iter()
+        .flat_map(beyond_limits)
+        .collect();
+    all.extend(measured::severe_damage(&answer.project));
     all.extend(assumed::cap_left_out(&answer.project));
     all.extend(from_surveys::findings(&answer.project));
     let states = answer.state.iter();

@@ -22,7 +22,7 @@ messages! {
     /// Surveys against the model.
     pub(crate) enum Measured in "check.measured" {
         Felt { survey: String, peak: Sentence } => {
-            en: "Survey {survey} states an earthquake{peak}, and no repair or inspection followed: this check is of the structure as the file has it. Look at it; then enter it into works of [watch].",
+            en: "Survey {survey} states an earthquake{peak}, and no repair or inspection followed: this check is of the structure as the file has it. Inspect the structure; then record the inspection in works of [watch].",
             ko: "{survey} 조사에 지진이 기재되어 있으나{peak} 이후 보수나 점검이 없다. 이 검토는 파일에 적힌 상태의 구조물에 대한 것이다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
         FeltPeak(peak: Quantity) => { en: " (peak acceleration {peak})", ko: "(최대가속도 {peak})" },
@@ -69,19 +69,19 @@ messages! {
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}을(를) 넘는다. 하중배율과 관계없이 전도된다.",
         },
         TiltOpens { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
-            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds have begun to open, as they do from a third of that.",
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is below {limit}, at which a bed stands on its edge; beds have begun to open, as they do from a third of that.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그 3분의 1을 넘어 접합면이 벌어지기 시작하였다.",
         },
         TiltHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
-            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is below {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
         },
         TiltOpensFrom { tilt: Sentence, direction: String, survey: String, limit: Sentence, opens: Sentence } => {
-            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds have begun to open, as they do from {opens} towards that side.",
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is below {limit}, at which a bed stands on its edge; beds have begun to open, as they do from {opens} towards that side.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그쪽으로 접합면이 벌어지기 시작하는 {opens}을(를) 넘었다.",
         },
         TiltHoldsFrom { tilt: Sentence, direction: String, survey: String, limit: Sentence, opens: Sentence } => {
-            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at {opens} towards that side.",
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is below {limit}, at which a bed stands on its edge; beds begin to open at {opens} towards that side.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그쪽으로 {opens}에서 벌어지기 시작한다.",
         },
         BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {

@@ -13,6 +13,7 @@ mod variant_responses;
 mod variant_rows;
 mod variant_stacks;
 mod variants;
+mod versions;
 
 pub(crate) use findings::findings;
 pub(crate) use from_surveys::from_surveys_text;
@@ -21,12 +22,13 @@ pub use project::{against_studies_text, against_text};
 pub(crate) use project::{doubtful, made_up_text, project_text};
 pub(crate) use sampled::sections as scatter_sections;
 pub use text::check_text;
-pub(crate) use variants::{section as variants_section, title};
+pub(crate) use variants::{section as variants_section, title, version};
+pub(crate) use versions::{is_of_variant, variants_in_full};
 
 use dolmen_words::Template;
 
 /// Templates of the sentences of every check.
-pub(crate) const TEMPLATES: [&[Template]; 12] = [
+pub(crate) const TEMPLATES: [&[Template]; 13] = [
     agreement::Agreement::TEMPLATES,
     assumed::Assumed::TEMPLATES,
     findings::Unusual::TEMPLATES,
@@ -39,4 +41,5 @@ pub(crate) const TEMPLATES: [&[Template]; 12] = [
     variant_responses::Responses::TEMPLATES,
     variant_stacks::StackVariant::TEMPLATES,
     variants::Variants::TEMPLATES,
+    versions::OfVariant::TEMPLATES,
 ];

@@ -19,6 +19,14 @@ messages! {
             en: "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
             ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {samples}개 중 {count}개에서 안정을 잃는다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
         },
+        FallsLoaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
+            en: "With the scatter given for the inputs it falls under its weight and static loads, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
+            ko: "입력값의 변동을 고려하면 지진 없이 자중과 정적 하중만으로 표본 {samples}개 중 {count}개에서 안정을 잃는다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        },
+        FallsSlipping { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity, sticking: usize, slipping: usize } => {
+            en: "With the scatter given for the inputs its load factor is 1 or less in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. In {sticking} of them it falls under its weight while its joints stick, in {slipping} only once they slip: until it is shaken it stands. This is a probability of the model and the stated scatter, not of the stones.",
+            ko: "입력값의 변동을 고려하면 하중배율이 1 이하인 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 그중 {sticking}개는 접합부가 고착된 상태에서 자중으로, {slipping}개는 접합부가 미끄러진 뒤에만 안정을 잃는다(흔들리기 전에는 서 있다). 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        },
         Overloaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
             en: "Wind and static loads bring a joint to its limit, in one combination or more, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}.",
             ko: "바람과 정적 하중의 조합에서 접합부가 한계에 이르는 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}.",
@@ -43,7 +51,7 @@ messages! {
         },
         Quantiles { low: Quantity, middle: Quantity, high: Quantity, seed: usize } => {
             en: "Load factor below which 5 %, 50 % and 95 % of the samples lie: {low}, {middle}, {high}. Seed {seed}.",
-            ko: "표본의 5 %, 50 %, 95 %가 그 아래에 있는 하중배율: {low}, {middle}, {high}. 시드 {seed}.",
+            ko: "표본의 5 %, 50 %, 95 %가 그 아래에 있는 하중배율: {low}, {middle}, {high}. 난수 초깃값 {seed}.",
         },
         Inputs(inputs: Vec<Both>) => { en: "Inputs drawn: {inputs}.", ko: "추출한 입력: {inputs}." },
         LoadFactor => { en: "λ", ko: "λ" },
@@ -83,26 +91,57 @@ messages! {
 
 /// Frequency of a fall.
 pub(super) fn findings(sampled: &Sampled) -> Vec<Finding> {
-    let mut all = vec![happens(&sampled.unstable, falls)];
+    let slipping = sampled
+        .falls_sticking
+        .map(|sticking| (sticking, sampled.unstable.count.saturating_sub(sticking)))
+        .filter(|(_, slipping)| *slipping > 0);
+    let found = match (slipping, sampled.weighs_loads) {
+        (Some((sticking, slipping)), _) => happens(&sampled.unstable, |of| Scatter::FallsSlipping {
+            count: of.count,
+            samples: of.samples,
+            estimate: of.estimate,
+            confidence: of.confidence,
+            lower: of.lower,
+            upper: of.upper,
+            sticking,
+            slipping,
+        }),
+        (None, true) => happens(&sampled.unstable, falls_loaded),
+        (None, false) => happens(&sampled.unstable, falls),
+    };
+    let mut all = vec![found];
     all.extend(sampled.under_loads.iter().map(|of| happens(of, overloaded)));
     all
 }
 
 /// Frequency of an event, in the words of `said`.
-fn happens(of: &Probability, said: fn(Share) -> Scatter) -> Finding {
+fn happens(of: &Probability, said: impl FnOnce(Share) -> Scatter) -> Finding {
     let tone = match of.count {
         0 => Tone::Plain,
         _ => Tone::Warn,
     };
+    let [estimate, lower, upper] = apart([of.estimate, of.lower, of.upper]);
     let share = Share {
         count: of.count,
         samples: of.samples,
-        estimate: Quantity::percent(of.estimate, 2),
+        estimate,
         confidence: Quantity::new(of.confidence, Unit::percent(), Digits::Trimmed(3)),
-        lower: Quantity::percent(of.lower, 2),
-        upper: Quantity::percent(of.upper, 2),
+        lower,
+        upper,
     };
     Finding::key(tone, said(share)).with_code("probability")
+}
+
+/// Shares as per cent, with as many digits as keep different ones apart; two at least.
+fn apart(shares: [f64; 3]) -> [Quantity; 3] {
+    const DIGITS: std::ops::RangeInclusive<usize> = 2..=6;
+    let shown = |digits: usize| shares.map(|share| Quantity::percent(share, digits));
+    let are_apart = |digits: &usize| {
+        let [a, b, c] = shown(*digits).map(|of| of.number());
+        let [x, y, z] = shares;
+        (a != b || x == y) && (b != c || y == z) && (a != c || x == z)
+    };
+    shown(DIGITS.clone().find(are_apart).unwrap_or(*DIGITS.end()))
 }
 
 /// A share of the samples with its interval.
@@ -125,6 +164,25 @@ fn falls(of: Share) -> Scatter {
         upper,
     } = of;
     Scatter::Falls {
+        count,
+        samples,
+        estimate,
+        confidence,
+        lower,
+        upper,
+    }
+}
+
+fn falls_loaded(of: Share) -> Scatter {
+    let Share {
+        count,
+        samples,
+        estimate,
+        confidence,
+        lower,
+        upper,
+    } = of;
+    Scatter::FallsLoaded {
         count,
         samples,
         estimate,
@@ -160,7 +218,7 @@ pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
     shown.sort_by(|(_, a), (_, b)| b.abs().total_cmp(&a.abs()));
     let result = result(answer);
     let inputs = shown.iter().take(NAMED).map(|(of, elasticity)| {
-        let input = Both::of(|language| input_words(&answer.project.structure, &of.input, language));
+        let input = Both::of(|language| input_words(&answer.project, &of.input, language));
         let change = signed(*elasticity, Digits::Significant(2)).into();
         Scatter::OfInput { input, change }.into()
     });
@@ -197,7 +255,7 @@ fn unknown(answer: &CheckAnswer) -> Vec<Scatter> {
             .iter()
             .filter(move |of| of.unknown == Some(why));
         without
-            .map(|of| Both::of(|language| input_words(&answer.project.structure, &of.input, language)))
+            .map(|of| Both::of(|language| input_words(&answer.project, &of.input, language)))
             .collect::<Vec<_>>()
     };
     let zero = of(NoElasticity::Zero);
@@ -287,7 +345,7 @@ fn table(answer: &CheckAnswer) -> Table {
             let scatter = of.cov.map(|cov| share(cov * elasticity.abs()));
             vec![
                 Cell::words(Scatter::InputName(Both::of(|language| {
-                    input_words(&answer.project.structure, &of.input, language)
+                    input_words(&answer.project, &of.input, language)
                 }))),
                 Cell::number(Quantity::new(of.value, Unit::ratio(), Digits::Trimmed(7))),
                 Cell::words(signed),

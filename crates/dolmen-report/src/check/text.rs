@@ -5,15 +5,14 @@ use super::made_stones::made_stones_text;
 use super::project::project_text;
 use super::sampled;
 use super::variants::{section as variants_section, title};
+use super::versions::{variant_sections, version_sections};
 use crate::brief::{all_findings_text, brief_text, note_text, notes_text};
 use crate::document::{
     Document, Finding, TextStyle, Tone, document_text, findings_text, heading_text, wrapped,
 };
 use crate::engineer::{self, Pictures};
-use crate::figures::Shaking;
 use crate::headline::{verdict_line, worse};
-use crate::{building, chain, demand, frame, loads, stack};
-use dolmen_project::{Project, Structure};
+use crate::stack;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence, messages};
 use dolmen_work::answer::CheckAnswer;
@@ -89,7 +88,7 @@ fn worse_text(answer: &CheckAnswer, judged: &VersionJudgement, style: TextStyle)
 
 fn full_text(answer: &CheckAnswer, state: &State, versions: &[VersionJudgement], style: TextStyle) -> String {
     let mut out = all_findings_text(&with_unread(answer), style);
-    out += &sections_text(&answer.project, state, style);
+    out += &document_text(&version_sections(&answer.project, state), style);
     out += &made_stones_text(&answer.project, style);
     for (variant, judged) in answer.variants.iter().zip(versions.iter().skip(1)) {
         out += &variant_text(answer, variant, judged, style);
@@ -122,43 +121,7 @@ fn variant_text(
     let found = own.map_or_else(Vec::new, |own| of_state(&own.project, &variant.state));
     out += &findings_text(found.iter().filter(|of: &&Finding| of.is_key), style);
     if let Some(own) = own {
-        out += &match (
-            &own.project.structure,
-            &variant.state.check,
-            answer.state.as_ref().map(|state| &state.check),
-        ) {
-            (Structure::Chain(part), Check::Chain(check), Some(Check::Chain(base)))
-                if check.limits == base.limits =>
-            {
-                document_text(&chain::stiffness_sections(part, check), style)
-                    + &document_text(
-                        &loads::sections(
-                            &own.project.loads,
-                            variant.state.loads.as_ref(),
-                            loads::Loaded::Chain(chain::joint_heights_m(part)),
-                        ),
-                        style,
-                    )
-            }
-            (_, Check::Stack(check), Some(Check::Stack(base))) if check == base => document_text(
-                &loads::sections(
-                    &own.project.loads,
-                    variant.state.loads.as_ref(),
-                    loads::Loaded::Stack(&check.stack),
-                ),
-                style,
-            ),
-            (_, Check::Building(check), Some(Check::Building(base))) if check == base => document_text(
-                &loads::sections(
-                    &own.project.loads,
-                    variant.state.loads.as_ref(),
-                    loads::Loaded::Building(&check.floors),
-                ),
-                style,
-            ),
-            _ => sections_text(&own.project, &variant.state, style),
-        };
-        out += &document_text(&sampled::of_state(&variant.state), style);
+        out += &document_text(&variant_sections(answer, &own.project, variant), style);
         let notes = own.project.warnings.iter();
         for note in notes.filter(|note| !answer.project.warnings.contains(note)) {
             out += &note_text(&own.project, note, style);
@@ -174,33 +137,4 @@ fn side_by_side<'a>(answer: &'a CheckAnswer, state: &State) -> Document<'a> {
         Check::Stack(_) => stack::comparison(state, &answer.variants),
         Check::Chain(_) | Check::Frame(_) | Check::Building(_) => variants_section(answer),
     }
-}
-
-/// The sections of one version.
-fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
-    let structure = &project.structure;
-    let sections = match (structure, &state.check) {
-        (Structure::Chain(part), Check::Chain(check)) => {
-            let mut document = chain::sections(part, check);
-            document.append(chain::appendix(check));
-            document
-        }
-        (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
-        (_, Check::Stack(answer)) => {
-            stack::sections(structure, answer, &state.spring_fits, Shaking::default())
-        }
-        (_, Check::Building(of)) => building::sections(of, &project.loads),
-        (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
-    };
-    let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();
-    let of = match (structure, &state.check) {
-        (Structure::Chain(part), _) => Some(loads::Loaded::Chain(chain::joint_heights_m(part))),
-        (Structure::Frame(part), Check::Frame(_)) => Some(loads::Loaded::of_frame(part)),
-        (_, Check::Stack(answer)) => Some(loads::Loaded::Stack(&answer.stack)),
-        (_, Check::Building(answer)) => Some(loads::Loaded::Building(&answer.floors)),
-        _ => None,
-    };
-    let loaded = of.map(|of| loads::sections(&project.loads, state.loads.as_ref(), of));
-    let loaded = loaded.unwrap_or_default();
-    document_text(&sections, style) + &document_text(&loaded, style) + &document_text(&asked, style)
 }

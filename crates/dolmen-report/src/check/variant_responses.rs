@@ -3,7 +3,7 @@
 use dolmen::stability::Verdict;
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::judgement::{Colour, Earthquake, MovedBy, VersionJudgement, Weight, WindFinding, WindWord};
+use dolmen_work::judgement::{Colour, Earthquake, MovedBy, VersionJudgement, Weight, WindFinding, WindLimit};
 
 /// Relative difference below which values are equal.
 pub(super) const SAME_SHARE: f64 = 1e-6;
@@ -41,6 +41,10 @@ messages! {
             en: "Variant “{variant}”: {said}; the load factor stays {factor}: {verdict}.",
             ko: "대안 ‘{variant}’: {said}. 하중배율은 {factor}(으)로 같다: {verdict}.",
         },
+        Acceleration => { en: "acceleration", ko: "가속도" },
+        Drift => { en: "drift", ko: "층간변위" },
+        DriftWithEarthquake => { en: "drift with the earthquake", ko: "층간변위(지진 포함)" },
+        Room => { en: "room of a damper", ko: "감쇠기 여유 공간" },
         UnderWeight { word: Both } => { en: "{word} under its weight", ko: "자중에 대해 {word}" },
         UnderWeightAndLoads { word: Both } => {
             en: "{word} under its weight and these loads",
@@ -101,9 +105,15 @@ pub(super) fn asked(version: &VersionJudgement) -> Option<(Earthquake, Option<f6
     (!found.is_empty()).then(|| (version.earthquake_word(), ratios.reduce(f64::min)))
 }
 
-/// The word on limits in wind and under static loads, with the smallest limit over response.
-pub(super) fn limited(version: &VersionJudgement) -> Option<(WindWord, Option<f64>)> {
-    WindFinding::deciding(&version.wind).map(|of| (of.word, of.ratio))
+/// What a version is limited in by its wind and static loads, as words.
+pub(super) fn limited_in(of: &WindFinding) -> Option<Responses> {
+    Some(match (of.limit?, of.by) {
+        (WindLimit::Acceleration, _) => Responses::Acceleration,
+        (WindLimit::Drift, MovedBy::WithEarthquake) => Responses::DriftWithEarthquake,
+        (WindLimit::Drift, MovedBy::Wind | MovedBy::Loads | MovedBy::Both) => Responses::Drift,
+        (WindLimit::Room, _) => Responses::Room,
+        (WindLimit::NotGiven, _) => return None,
+    })
 }
 
 /// The responses of a variant that differ from those of the structure as it is, or are beyond what is allowed. A response without a ratio, of

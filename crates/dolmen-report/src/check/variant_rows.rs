@@ -1,11 +1,12 @@
 //! Rows of the comparison of variants.
 
 use super::variant_responses::SAME_SHARE;
+use dolmen::assess::Probability;
 use dolmen::stability::Verdict;
 use dolmen::structure::lowest_frequency_hz;
 use dolmen_words::Language;
 use dolmen_words::message::Both;
-use dolmen_work::judgement::{Earthquake, WindWord};
+use dolmen_work::judgement::{Earthquake, WindFinding};
 use dolmen_work::loads::LoadsAnswer;
 use dolmen_work::state::{Check, State};
 
@@ -22,14 +23,14 @@ pub(super) struct Row {
     pub(super) own_verdict: Verdict,
     pub(super) margins: Vec<Option<f64>>,
     pub(super) frequency_hz: Option<f64>,
-    /// Share of samples that fall under their own weight.
-    pub(super) falls: Option<f64>,
+    /// Samples that fall under their own weight.
+    pub(super) falls: Option<Probability>,
     /// Share of samples that wind and static loads bring to a limit.
     pub(super) overloaded: Option<f64>,
     /// The demand of the site on the version, as a word and as capacity over demand; `None` without a demand.
     pub(super) earthquake: Option<(Earthquake, Option<f64>)>,
-    /// The word on its limits in wind and under static loads, and limit over response; `None` without limits.
-    pub(super) limited: Option<(WindWord, Option<f64>)>,
+    /// The limit that decides in wind and under static loads; `None` without limits.
+    pub(super) limited: Option<WindFinding>,
     /// That it is below the demand or beyond its limits, where the verdict hides it.
     pub(super) red_word: Option<Both>,
 }
@@ -66,7 +67,7 @@ impl Row {
 
 /// The rows of a version: one, or one a direction of a frame.
 pub(super) fn rows(state: &State, name: &Both) -> Vec<Row> {
-    let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
+    let falls = state.sampled.as_ref().map(|sampled| sampled.unstable);
     let sampled = state.sampled.as_ref();
     let overloaded = sampled.and_then(|sampled| sampled.under_loads.as_ref().map(|of| of.estimate));
     match &state.check {

@@ -1,18 +1,20 @@
 //! The project as given compared with its variants, before and after a repair.
 
 use super::variant_responses::{
-    Response, Responses, SAME_SHARE, asked, is_beyond, limited, red_word, responses,
+    Response, Responses, SAME_SHARE, asked, is_beyond, limited_in, red_word, responses,
 };
 use super::variant_rows::{Row, rows};
 use super::variant_stacks;
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::{VariantDot, variants_compared};
 use crate::html::words::verdict_word;
+use dolmen::assess::Probability;
 use dolmen::stability::Verdict;
+use dolmen_project::Project;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
-use dolmen_work::judgement::{Earthquake, VersionJudgement, WindWord, judge_check};
+use dolmen_work::judgement::{Earthquake, VersionJudgement, WindFinding, WindWord, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
 
 messages! {
@@ -53,6 +55,7 @@ messages! {
         LoadFactor => { en: "λ", ko: "λ" },
         LeastMargin => { en: "least margin", ko: "최소 여유도" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
+        LimitedIn => { en: "limit of", ko: "허용값 항목" },
         OverResponse => { en: "limit/response", ko: "허용값/응답" },
         OverDemand => { en: "earthquake: capacity/demand", ko: "지진: 저항/요구" },
         Worse { variant: Both, from: Quantity, to: Quantity, before: Quantity, after: Quantity } => {
@@ -60,6 +63,10 @@ messages! {
             ko: "대안 ‘{variant}’은(는) 자중에서는 유리하나(λ {from} → {to}) 부지의 지진에서는 불리하다(저항/요구 {before} → {after}).",
         },
         FallsShare => { en: "P(falls by its weight)", ko: "자중 불안정 확률" },
+        FallsMeaning { samples: usize, seed: u64, none: Quantity } => {
+            en: "Probabilities are shares of {samples} samples (seed {seed}); 0 means less than {none} (95 %).",
+            ko: "확률은 표본 {samples}개에 대한 비율이며(난수 초깃값 {seed}), 0은 {none} 미만이라는 뜻이다(95 %).",
+        },
         OverloadedShare => { en: "P(loads at a limit)", ko: "하중 한계 도달 확률" },
         Named(name: Both) => { en: "{name}", ko: "{name}" },
         Unknown => { en: "unknown", ko: "미상" },
@@ -73,6 +80,12 @@ pub(crate) fn title(variant: &VariantAnswer) -> Both {
         Some(names) => Both::of(|language| language.pick(names.english(), names.korean())),
         None => Both::of(|_| variant.name.clone()),
     }
+}
+
+/// The project of a variant; the structure as it is where the file has none.
+pub(crate) fn version<'a>(project: &'a Project, variant: &VariantAnswer) -> &'a Project {
+    let own = project.variants.iter().find(|own| own.name == variant.name);
+    own.map_or(project, |own| &own.project)
 }
 
 /// The effect of each variant on the load factor and on its responses.
@@ -296,7 +309,7 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
         };
         for row in rows.iter_mut() {
             row.earthquake = asked(own);
-            row.limited = limited(own);
+            row.limited = WindFinding::deciding(&own.wind).cloned();
             row.red_word = red_word(own, row.verdict);
         }
     };
@@ -328,8 +341,23 @@ fn dot(row: &Row, language: Language) -> VariantDot {
     VariantDot {
         name: row.named(language),
         load_factor: row.load_factor,
-        verdict: row.verdict,
+        // λ and the margins are those of the weight alone; what a survey contradicts is unknown
+        verdict: match row.verdict {
+            Verdict::Unknown => Verdict::Unknown,
+            _ => row.own_verdict,
+        },
         margins: row.margins.clone(),
+    }
+}
+
+/// Limit over response; bad where it is beyond.
+fn over_response(row: &Row) -> Cell {
+    let limited = row.limited.as_ref();
+    let ratio = limited.and_then(|of| of.ratio);
+    let ratio = ratio.map(|ratio| Quantity::beside_one(ratio, 3));
+    match (limited.is_some_and(|of| of.word == WindWord::Beyond), ratio) {
+        (true, Some(ratio)) => Cell::Bad(ratio),
+        (_, ratio) => Cell::Number(ratio),
     }
 }
 
@@ -338,7 +366,7 @@ fn table(all: &[Row]) -> Table {
     let with_loads = all.iter().any(|row| row.borne.is_some());
     let with_limits = all
         .iter()
-        .any(|row| row.limited.is_some_and(|(_, ratio)| ratio.is_some()));
+        .any(|row| row.limited.as_ref().is_some_and(|of| of.ratio.is_some()));
     let with_earthquake = all.iter().any(|row| row.earthquake.is_some());
     let with_overloaded = all.iter().any(|row| row.overloaded.is_some());
     let share = |share: f64| Quantity::new(share, Unit::percent(), Digits::Significant(3));
@@ -358,11 +386,19 @@ fn table(all: &[Row]) -> Table {
                     verdict_word(row.verdict, language)
                 }))),
             },
+        ];
+        if with_limits {
+            let decides = row.limited.as_ref().and_then(limited_in);
+            cells.push(Cell::Words(
+                decides.map_or_else(|| Sentence::of_symbol("–"), Sentence::from),
+            ));
+        }
+        cells.extend([
             row.load_factor
                 .map_or_else(unknown, |factor| Cell::number(Quantity::beside_one(factor, 4))),
             margin,
             frequency.map_or_else(unknown, Cell::number),
-        ];
+        ]);
         if with_loads {
             let factor = row.borne.map(|factor| Quantity::beside_one(factor, 4));
             cells.push(match row.borne.is_some_and(|factor| factor <= 1.0) {
@@ -371,12 +407,7 @@ fn table(all: &[Row]) -> Table {
             });
         }
         if with_limits {
-            let number = |ratio: f64| Quantity::beside_one(ratio, 3);
-            cells.push(match row.limited {
-                Some((WindWord::Beyond, Some(ratio))) => Cell::Bad(number(ratio)),
-                Some((_, ratio)) => Cell::Number(ratio.map(number)),
-                None => Cell::Number(None),
-            });
+            cells.push(over_response(row));
         }
         if with_earthquake {
             let number = |ratio: f64| Quantity::beside_one(ratio, 3);
@@ -388,7 +419,7 @@ fn table(all: &[Row]) -> Table {
             });
         }
         if with_falls {
-            cells.push(Cell::Number(row.falls.map(share)));
+            cells.push(Cell::Number(row.falls.map(|of| share(of.estimate))));
         }
         if with_overloaded {
             cells.push(Cell::Number(row.overloaded.map(share)));
@@ -398,10 +429,15 @@ fn table(all: &[Row]) -> Table {
     let mut columns = vec![
         Column::words(Variants::Variant),
         Column::words(Variants::VerdictHead),
+    ];
+    if with_limits {
+        columns.push(Column::words(Variants::LimitedIn));
+    }
+    columns.extend([
         Column::numbers(Variants::LoadFactor, Unit::ratio()),
         Column::numbers(Variants::LeastMargin, Unit::ratio()),
         Column::numbers(Variants::Lowest, Unit::si("Hz")),
-    ];
+    ]);
     if with_loads {
         columns.push(Column::numbers(Variants::Borne, Unit::ratio()));
     }
@@ -417,9 +453,22 @@ fn table(all: &[Row]) -> Table {
     if with_overloaded {
         columns.push(Column::numbers(Variants::OverloadedShare, Unit::percent()));
     }
+    let mut caption: Vec<Sentence> = vec![Variants::Caption.into(), Variants::CaptionMeaning.into()];
+    caption.extend(all.iter().find_map(|row| shares(row.falls?)));
     Table {
-        caption: vec![Variants::Caption.into(), Variants::CaptionMeaning.into()],
+        caption,
         columns,
         rows: all.iter().map(row).collect(),
     }
+}
+
+/// How many samples the probabilities are from, and what 0 of them means.
+fn shares(of: Probability) -> Option<Sentence> {
+    let none = Probability::of_count(0, of.samples, of.confidence, of.seed).ok()?;
+    let said = Variants::FallsMeaning {
+        samples: of.samples,
+        seed: of.seed,
+        none: Quantity::percent(none.upper, 2),
+    };
+    Some(said.into())
 }

@@ -87,6 +87,14 @@ messages! {
             en: "The demand of the site is not compared: a side post with a gap may close, and what is above it then asks more than without. `dolmen simulate` follows it.",
             ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 설계지진과 비교하지 않는다. `dolmen simulate`로 검토한다.",
         },
+        FeetLiftOff => {
+            en: "The demand of the site is not compared: the columns that alone support it lift off their stones at a smaller drift than the spectrum asks for, and are softer beyond. `dolmen simulate` follows a frame of one storey.",
+            ko: "골조를 홀로 지지하는 기둥의 주각이 스펙트럼의 층간변위보다 작은 변위에서 들리고 그 뒤에는 더 유연하므로 부지의 설계지진과 비교하지 않는다. 단층 골조는 `dolmen simulate`로 검토한다.",
+        },
+        FeetLiftOffIn(direction: String) => {
+            en: "Direction {direction} is not compared with the demand of the site: the columns that alone support it lift off their stones at a smaller drift than the spectrum asks for, and are softer beyond. `dolmen simulate` follows a frame of one storey.",
+            ko: "{direction} 방향은 골조를 홀로 지지하는 기둥의 주각이 스펙트럼의 층간변위보다 작은 변위에서 들리고 그 뒤에는 더 유연하므로 부지의 설계지진과 비교하지 않는다. 단층 골조는 `dolmen simulate`로 검토한다.",
+        },
         Rubs => {
             en: "Joints with dry friction are held against the site as free and as sticking, where the whole moves with the ground: the larger moment counts. A part that sticks while others turn is not tried.",
             ko: "마찰이 있는 접합부는 자유로운 경우와 고착되어 전체가 지반과 함께 움직이는 경우 중 큰 모멘트로 부지의 지진과 비교하였다. 일부만 고착된 경우는 검토하지 않았다.",
@@ -164,6 +172,8 @@ pub(crate) fn findings(
 pub(super) fn not_compared(of: &NotCompared) -> Found {
     match (of.why, of.direction.clone()) {
         (WhyNotCompared::LoosePost, _) => Found::LoosePost,
+        (WhyNotCompared::FeetLiftOff, None) => Found::FeetLiftOff,
+        (WhyNotCompared::FeetLiftOff, Some(direction)) => Found::FeetLiftOffIn(direction),
         (WhyNotCompared::StiffnessUnknown, None) => Found::NoStiffness,
         (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn(direction),
         (WhyNotCompared::NoSpectrum, None) => Found::NoSpectrum,

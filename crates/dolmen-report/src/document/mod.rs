@@ -21,5 +21,5 @@ pub(crate) use photos::{Answered, Photo, Signatory};
 pub(crate) use series::{Entries, Series, csv_row, series_csv};
 pub(crate) use table_series::table_series;
 pub use text::TextStyle;
-pub(crate) use text::{document_text, findings_text, heading_text, joined, wrapped};
+pub(crate) use text::{block_text, document_text, findings_text, heading_text, joined, wrapped};
 pub(crate) use words::Framed;

@@ -90,7 +90,8 @@ pub(crate) fn document_text(document: &Document<'_>, style: TextStyle) -> String
         .collect()
 }
 
-fn block_text(block: &Block<'_>, style: TextStyle) -> String {
+/// One block.
+pub(crate) fn block_text(block: &Block<'_>, style: TextStyle) -> String {
     let (language, columns) = (style.language, style.columns());
     let said = |sentence: &Sentence, first: &str, other: &str| {
         wrapped(&sentence.text(language), first, other, columns)

@@ -4,7 +4,7 @@ use super::photos::Pictures;
 use super::words::{cell, verbatim};
 use crate::document::{Block, Cell, Column, Document, Figure, Photo, Table, table_series};
 use crate::figures::{DamageMark, damage_map};
-use dolmen_project::{DamageKind, Inspection, Project, Severity, Survey, date_of};
+use dolmen_project::{DamageKind, InModel, Inspection, Project, Severity, Survey, date_of};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use std::collections::BTreeMap;
@@ -32,6 +32,13 @@ messages! {
         SeverityHead => { en: "Severity", ko: "정도" },
         Size => { en: "Size", ko: "크기" },
         Note => { en: "Note", ko: "비고" },
+        Model => { en: "In the model", ko: "모델 반영" },
+        Bed(share: Quantity) => { en: "bed less {share}", ko: "접합면 {share} 손실" },
+        BedAt { share: Quantity, side: String } => { en: "bed less {share} at {side}", ko: "접합면 {side} 쪽 {share} 손실" },
+        Stiffness(left: Quantity) => { en: "{left} of the stiffness", ko: "강성 {left}로 저하" },
+        Ties => { en: "ties broken", ko: "연결재 파단" },
+        Gone => { en: "stone gone", ko: "결실" },
+        Mended => { en: "mended", ko: "보수" },
         Photo { number: usize, part: String, what: Sentence } => { en: "{number}: {part}, {what}", ko: "{number}: {part}, {what}" },
         Crack => { en: "crack", ko: "균열" },
         Spalling => { en: "spalling", ko: "박락" },
@@ -97,10 +104,15 @@ fn of_survey<'a>(
 ) {
     document.heading(Damage::Head(survey.name.clone()));
     let marks: Vec<DamageMark> = survey.inspections.iter().map(mark).collect();
-    if damage_map(&project.structure, &marks, dolmen_words::Language::English).is_some() {
+    // without the damage that was found later
+    let structure = match project.earlier_model(&survey.name) {
+        Some(earlier) => &earlier.structure,
+        None => &project.structure,
+    };
+    if damage_map(structure, &marks, dolmen_words::Language::English).is_some() {
         let map = Figure::drawn(
             vec![Damage::Map.into(), Damage::MapMeaning.into()],
-            move |language| damage_map(&project.structure, &marks, language).unwrap_or_default(),
+            move |language| damage_map(structure, &marks, language).unwrap_or_default(),
         );
         document.charted(map.with_series(move || table_series(&list_of(survey))));
     }
@@ -217,6 +229,12 @@ fn list(caption: Damage, surveys: &[&Survey]) -> Table {
             .map(|_| Cell::words(verbatim(&survey.name)))
     });
     let dates = (surveys.len() > 1).then(|| (Column::words(Damage::Inspection), dates.collect()));
+    let is_modelled = found().any(|(_, one)| one.model.is_some());
+    let models = is_modelled.then(|| {
+        words(Damage::Model, &|_, one| {
+            one.model.map_or_else(|| Cell::words(verbatim("")), in_model)
+        })
+    });
     let columns = [
         words(Damage::Number, &|at, _| {
             Cell::words(verbatim(&(at + 1).to_string()))
@@ -232,7 +250,27 @@ fn list(caption: Damage, surveys: &[&Survey]) -> Table {
             sizes.collect(),
         ),
     ];
-    super::words::table_of(caption, dates.into_iter().chain(columns).collect())
+    super::words::table_of(caption, dates.into_iter().chain(columns).chain(models).collect())
+}
+
+/// The effect of a damage on the model.
+fn in_model(effect: InModel) -> Cell {
+    Cell::words(match effect {
+        InModel::BedLost { share, side } => {
+            let share = Quantity::percent(share, 2);
+            match side {
+                None => Damage::Bed(share),
+                Some(side) => Damage::BedAt {
+                    share,
+                    side: side.word().to_owned(),
+                },
+            }
+        }
+        InModel::StiffnessLeft(left) => Damage::Stiffness(Quantity::percent(left, 2)),
+        InModel::TiesBroken => Damage::Ties,
+        InModel::Lost => Damage::Gone,
+        InModel::Mended => Damage::Mended,
+    })
 }
 
 /// One row per kind, one column per severity, without empty ones.

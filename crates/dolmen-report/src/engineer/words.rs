@@ -11,7 +11,15 @@ messages! {
         Text(text: Both) => { en: "{text}", ko: "{text}" },
         Fingerprint(print: String) => {
             en: "Fingerprint of the project file (FNV-1a, 128 bits): {print}",
-            ko: "입력 파일의 식별값(FNV-1a, 128비트): {print}",
+            ko: "프로젝트 파일의 식별값(FNV-1a, 128비트): {print}",
+        },
+        FileRead { name: String, bytes: String, print: String } => {
+            en: "File {name}, {bytes} bytes: {print}",
+            ko: "파일 {name}, {bytes} 바이트: {print}",
+        },
+        FilesRead { count: usize, print: String } => {
+            en: "{count} files that it names, together: {print}",
+            ko: "프로젝트 파일에 기재된 파일 {count}개 전체: {print}",
         },
     }
 }

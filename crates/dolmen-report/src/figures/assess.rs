@@ -117,7 +117,7 @@ pub struct VariantDot {
     pub name: String,
     /// λ; `None` if unknown.
     pub load_factor: Option<f64>,
-    /// The verdict on it, with wind and static loads.
+    /// The verdict under its weight alone.
     pub verdict: Verdict,
     /// Margin of each joint or storey, lowest first; `None` if no stiffness is sufficient.
     pub margins: Vec<Option<f64>>,

@@ -300,17 +300,53 @@ fn by_place(all: impl IntoIterator<Item = ([f64; 3], String)>) -> Vec<([f64; 3],
 
 fn put_sensors(scene: &mut Scene, view: &View, sensors: &[([f64; 3], String)]) {
     let mut labelled: Vec<[f64; 2]> = Vec::new();
-    for (place, names) in sensors {
-        let at = view.px([place[view.elevation.axis], place[2]]);
+    let across: Vec<f64> = sensors
+        .iter()
+        .map(|(place, _)| place[view.elevation.axis])
+        .collect();
+    let across = match view.elevation.has_widths {
+        true => across,
+        false => spread_within(&across, view.elevation.bounds()),
+    };
+    for ((place, names), across) in sensors.iter().zip(across) {
+        let at = view.px([across, place[2]]);
         scene.marker(at, Shape::Triangle, 5.0, BLUE);
-        let label = Label::new(names.clone(), Anchor::Start).small().coloured(BLUE);
+        let anchor = if view.elevation.has_widths {
+            Anchor::Start
+        } else {
+            Anchor::Middle
+        };
+        let label = Label::new(names.clone(), anchor).small().coloured(BLUE);
         let free = |other: &[f64; 2]| {
             (other[0] - at[0]).abs() > text_width(names, 11.0) || (other[1] - at[1]).abs() > 11.0
         };
         // one name for sensors that hide each other in this view
         if labelled.iter().all(free) {
-            scene.text([at[0] + 8.0, at[1]], &label);
+            // above the beam of a storey without widths, whose line would strike the name through
+            let beside = if view.elevation.has_widths {
+                [8.0, 0.0]
+            } else {
+                [0.0, -13.0]
+            };
+            scene.text([at[0] + beside[0], at[1] + beside[1]], &label);
             labelled.push(at);
         }
     }
+}
+
+/// Places across an outline that is not to scale, in their order and with their distances in proportion.
+fn spread_within(places: &[f64], [least, most]: [[f64; 2]; 2]) -> Vec<f64> {
+    /// Share of the width on each side without a place.
+    const EDGE: f64 = 0.1;
+    let low = places.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let share = |place: f64| match high > low {
+        true => EDGE + (1.0 - 2.0 * EDGE) * (place - low) / (high - low),
+        false => 0.5,
+    };
+    let width = most[0] - least[0];
+    places
+        .iter()
+        .map(|place| least[0] + share(*place) * width)
+        .collect()
 }

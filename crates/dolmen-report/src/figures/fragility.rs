@@ -114,10 +114,10 @@ fn seen(state: &StateFragility) -> Vec<[f64; 2]> {
     let all = state.scans() as f64;
     let by_then = |place: f64| {
         let seen = places.partition_point(|other| *other <= place);
-        (state.fell_alone + seen) as f64 / all
+        (state.without_shaking() + seen) as f64 / all
     };
     let mut found: Vec<[f64; 2]> = places.iter().map(|place| [*place, by_then(*place)]).collect();
-    if state.fell_alone > 0 {
+    if state.without_shaking() > 0 {
         found.insert(0, [0.0, state.share_alone()]);
     }
     found.dedup();

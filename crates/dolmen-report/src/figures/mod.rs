@@ -22,6 +22,7 @@ mod free_columns;
 mod frequency_by_height;
 mod gusts;
 mod history_series;
+mod hull;
 mod identification;
 mod ink;
 mod joint_factors;

@@ -1,6 +1,6 @@
 //! A stack with moved supports: its displaced stones over their original outlines.
 
-use super::elevation::hull;
+use super::hull::hull;
 use super::ink::{Anchor, GREY, Label, Line, STONE, TEXT, VERMILLION};
 use super::scene::Scene;
 use super::stack_view::bounds;

@@ -97,20 +97,27 @@ pub(super) fn view(
 ) {
     let patch = ground(stack).map(|at| frame.of(at));
     scene.polygon(&patch, "#e9ece4", Line::new("#b9c0b0", 0.8));
-    let on = |scene: &mut Scene, lower: Body| {
+    // a joint is drawn on the farther of its two stones, so that the nearer one hides what lies behind it
+    let is_above = |joint: &Joint| frame.camera.sees(joint.axes[2]);
+    let farther = |joint: &Joint| match is_above(joint) {
+        true => joint.lower,
+        false => Body::Block(joint.upper),
+    };
+    let on = |scene: &mut Scene, body: Body| {
         for (joint, colour) in stack
             .joints()
             .iter()
             .zip(colours)
-            .filter(|(joint, _)| joint.lower == lower)
+            .filter(|(joint, _)| farther(joint) == body)
         {
             let outline: Vec<[f64; 2]> = corners_now(joint, blocks)
                 .into_iter()
                 .map(|at| frame.of(at))
                 .collect();
             let edges = outline.iter().zip(outline.iter().cycle().skip(1));
-            // counterclockwise in the picture, whose y is down: an edge that runs to the right faces the eye
-            for (from, to) in edges.filter(|(from, to)| to[0] > from[0]) {
+            // counterclockwise in the picture, whose y is down: an edge that runs to the right faces the eye; from below to the left
+            let is_near = |from: &[f64; 2], to: &[f64; 2]| (to[0] > from[0]) == is_above(joint);
+            for (from, to) in edges.filter(|(from, to)| is_near(from, to)) {
                 scene.line(*from, *to, Line::new(colour, 5.0));
             }
         }

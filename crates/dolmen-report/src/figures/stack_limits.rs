@@ -6,7 +6,7 @@ use super::plot::{Key, Plot};
 use super::shaking::Shaking;
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::stability::stack::{CutLimits, StackLimitStates, Threshold};
-use dolmen_words::Language;
+use dolmen_words::{Language, Quantity};
 
 /// Approximate width of the plotting area, px.
 const AREA_PX: f64 = 550.0;
@@ -71,7 +71,15 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
     }
     let mut named: Vec<[f64; 3]> = Vec::new();
     for (rock, slide, cut) in &points {
-        let label = Label::new(joint_name(&cut.above, language), Anchor::Middle).small();
+        let name = joint_name(&cut.above, language);
+        let name = match *rock > most {
+            true => {
+                let ratio = Quantity::ratio(*rock, 3);
+                say(Signs::BeyondAxis { name, ratio }, language)
+            }
+            false => name,
+        };
+        let label = Label::new(name, Anchor::Middle).small();
         let half = 0.5 * (label.width() + 8.0) * most / AREA_PX;
         let (at, shape, colour, shift) = if rock <= slide {
             ([*rock, *rock], Shape::Circle, BLUE, 12.0 + 0.5 * label.width())

@@ -1,6 +1,6 @@
 //! A stack in the plane of its loads: its stones, the forces on them, and the pivots of its joints.
 
-use super::elevation::hull;
+use super::hull::hull;
 use super::ink::{Anchor, BLUE, Label, Line, STONE, TEXT, VERMILLION};
 use super::scene::Scene;
 use super::stack_view::bounds;

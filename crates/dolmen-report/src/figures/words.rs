@@ -1,7 +1,7 @@
 //! The words of all figures: names of axes, titles, legends.
 
 use dolmen_words::message::Both;
-use dolmen_words::{Language, Sentence, Template, messages};
+use dolmen_words::{Language, Quantity, Sentence, Template, messages};
 
 /// The words in a language.
 pub(crate) fn say(words: impl Into<Sentence>, language: Language) -> String {
@@ -137,7 +137,7 @@ messages! {
         StoneSprings => { en: "Displacement of the stone, springs (mm)", ko: "부재의 변위, 접촉 스프링 (mm)" },
         StoneRigid => { en: "Displacement of the stone, rigid (mm)", ko: "부재의 변위, 강체 접촉 (mm)" },
         MovementGiven => { en: "movement given", ko: "주어진 변위" },
-        LimitAnalysis => { en: "limit analysis: falls", ko: "극한 해석의 붕괴 변위" },
+        LimitAnalysis => { en: "limit analysis: falls", ko: "한계해석의 붕괴 변위" },
         LawSprings => { en: "springs", ko: "접촉 스프링" },
         LawRigid => { en: "rigid joints", ko: "강체 접촉" },
         Logarithmic { name: String } => { en: "{name}, log scale", ko: "{name}, 로그 눈금" },
@@ -328,6 +328,7 @@ messages! {
         DisplacementsEnlarged(times: String) => { en: "residual displacements × {times}", ko: "잔류 변위 {times}배 확대" },
         OpeningAndSlip { opening: String, slip: String } => { en: "opening {opening}, slip {slip}", ko: "벌어짐 {opening}, 미끄러짐 {slip}" },
         Ground => { en: "the ground", ko: "지반" },
+        BeyondAxis { name: String, ratio: Quantity } => { en: "{name}: {ratio} →", ko: "{name}: {ratio} →" },
         AndMore { first: String, more: usize } => { en: "{first} and {more} more", ko: "{first} 외 {more}개" },
         PublishedLimitUnsafe => { en: "published k_cr (unsafe)", ko: "발표된 임계강성 k_cr (불안전측)" },
         ExactLimitOthersRigid => { en: "exact limit M, other joints rigid", ko: "정확한 한계 M (다른 접합면 강체)" },

@@ -10,10 +10,10 @@ use crate::simulated::{
     version_name,
 };
 use dolmen::assess::demand::DRIFT_RATIO_MOST;
-use dolmen::dynamics::{FrameOutcome, RockingOutcome, StoreyFriction};
+use dolmen::dynamics::{ColumnOutcome, FrameOutcome, RockingOutcome, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::TiltLeftOut;
-use dolmen_work::frame::{ColumnsAlone, ColumnsInMotion, FrameSimulation};
+use dolmen_work::frame::{ColumnsAlone, ColumnsInMotion, ColumnsOnBeds, FrameSimulation};
 
 messages! {
     /// How a frame ended.
@@ -30,6 +30,10 @@ messages! {
             en: "the drift of ‘{name}’ and its lean as surveyed came to more than {most} of its height at {at}, beyond what small drifts can tell of: count it as fallen.",
             ko: "‘{name}’의 층간변위와 조사한 기울기의 합이 {at}에 층고의 {most}을(를) 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다.",
         },
+        PastTheMost { name: String, most: Quantity, at: Quantity } => {
+            en: "‘{name}’ drifted by more than {most} at {at}, where its columns resist most: springs of their beds tell nothing beyond, count it as fallen.",
+            ko: "‘{name}’의 층간변위가 {at}에 기둥의 저항이 최대가 되는 {most}을(를) 넘었다. 그 뒤는 지압면의 강성으로 알 수 없으므로 붕괴로 본다.",
+        },
         Within(most: Quantity) => {
             en: "No storey leaned by more than {most} of its height.",
             ko: "모든 층의 층간변위가 층고의 {most} 이내이다.",
@@ -44,8 +48,8 @@ messages! {
             ko: "기둥만으로 거동하는 해석은 단층 골조에 한한다.",
         },
         ColumnsNeedRigidBeds => {
-            en: "The frame on its columns alone is moved only on rigid stones, without bed_stiffness: on beds that give way it falls sooner.",
-            ko: "기둥만으로 거동하는 해석은 bed_stiffness가 없는 강체 초석에 한한다. 지압면이 변형하면 더 일찍 전도된다.",
+            en: "The frame on its columns alone is moved only on rigid stones, without bed_stiffness, or with a stiffness of 0, without joints and walls: on beds that give way it falls sooner than on rigid stones.",
+            ko: "기둥만으로 거동하는 해석은 bed_stiffness가 없는 강체 초석이거나 접합부와 벽체 없이 stiffness가 0인 경우에 한한다. 지압면이 변형하면 강체 초석보다 일찍 전도된다.",
         },
         ColumnsNeedOneComponent => {
             en: "The frame on its columns alone is moved only under one component of a motion: under x and y together a foot rolls around its edge or on a corner, which is not followed.",
@@ -76,6 +80,26 @@ messages! {
         AloneFell { of: Sentence, count: usize, uplift: Quantity, lifted: Quantity, at: Quantity } => {
             en: "{of}, on its {count} columns alone, without joints and walls: they lift off at {uplift}, first at {lifted}, and have fallen at {at}. Joints and walls must hold the frame.",
             ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 {uplift}에서 주각이 들리고({lifted}에 처음) {at}에 전도된다. 접합부와 벽체가 골조를 지지해야 한다.",
+        },
+        BedsStood { of: Sentence, count: usize, uplift: Quantity, drift: Quantity } => {
+            en: "{of}, on its {count} columns alone, by their force over drift: no foot lifts off; that begins at a drift of {uplift}, and the largest is {drift}.",
+            ko: "{of}, 기둥 {count}개만의 하중-변위 곡선으로 해석하면 주각이 들리지 않는다. 들림 변위는 {uplift}, 최대 변위는 {drift}이다.",
+        },
+        BedsRocked { of: Sentence, count: usize, uplift: Quantity, at: Quantity, drift: Quantity, share: Quantity, spring: Quantity } => {
+            en: "{of}, on its {count} columns alone, by their force over drift: feet lift off at a drift of {uplift}, first at {at}, and heads drift by up to {drift}, {share} of the drift at which they fall. The springs of their beds give {spring}; the larger counts.",
+            ko: "{of}, 기둥 {count}개만의 하중-변위 곡선으로 해석하면 변위 {uplift}에서 주각이 들리고({at}에 처음) 주두의 최대 변위는 {drift}(전도 변위의 {share})이다. 지압면의 강성으로는 {spring}이며, 큰 값으로 판정한다.",
+        },
+        BedsFell { of: Sentence, count: usize, uplift: Quantity, lifted: Quantity, at: Quantity } => {
+            en: "{of}, on its {count} columns alone, by their force over drift: feet lift off at a drift of {uplift}, first at {lifted}, and the columns have fallen at {at}. That decides, whatever the springs of their beds give.",
+            ko: "{of}, 기둥 {count}개만의 하중-변위 곡선으로 해석하면 변위 {uplift}에서 주각이 들리고({lifted}에 처음) {at}에 전도된다. 지압면의 강성에 의한 결과와 관계없이 이것으로 판정한다.",
+        },
+        BedsNotFollowed { of: Sentence, count: usize, lifted: Quantity } => {
+            en: "{of}, on its {count} columns alone, by their force over drift: feet lift off, first at {lifted}, and rock so irregularly that shorter steps still change the largest drift. Nothing is decided.",
+            ko: "{of}, 기둥 {count}개만의 하중-변위 곡선으로 해석하면 주각이 들린 뒤({lifted}에 처음) 거동이 불규칙하여 시간 간격을 줄여도 최대 변위가 달라진다. 판정하지 않는다.",
+        },
+        LiftsOff { of: Sentence, name: String, uplift: Quantity } => {
+            en: "{of}: columns alone support ‘{name}’, and their feet lift off at a drift of {uplift}, which the run passes. Beyond it they are softer than the springs of their beds, so nothing is decided.",
+            ko: "{of}: 기둥만으로 지지되는 ‘{name}’의 주각이 변위 {uplift}에서 들리는데 해석이 이를 넘었다. 그 뒤에는 지압면의 강성보다 유연하므로 판정하지 않는다.",
         },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "The frame starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
@@ -128,11 +152,81 @@ pub(super) fn columns(simulation: &FrameSimulation) -> Vec<Finding> {
     let of_columns = match &simulation.columns {
         ColumnsInMotion::Absent => return Vec::new(),
         ColumnsInMotion::SeveralStoreys => Finding::new(Tone::Plain, Ending::ColumnsNeedOneStorey),
-        ColumnsInMotion::OnBeds => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
+        ColumnsInMotion::BesideJoints => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
+        ColumnsInMotion::OnBeds(run) => return vec![on_beds(simulation, run)],
         ColumnsInMotion::BothComponents => Finding::new(Tone::Plain, Ending::ColumnsNeedOneComponent),
         ColumnsInMotion::Alone(alone) => columns_alone(simulation, alone),
     };
-    vec![of_columns, Finding::key(Tone::Warn, Ending::ColumnsLeftOut)]
+    let mut all = vec![of_columns];
+    all.extend(lifts_off(simulation));
+    all.push(Finding::key(Tone::Warn, Ending::ColumnsLeftOut));
+    all
+}
+
+/// A storey on columns that lift off in a run that does not follow them.
+fn lifts_off(simulation: &FrameSimulation) -> Option<Finding> {
+    let storey = simulation.lifts_off_unfollowed()?;
+    let alone = simulation.columns_alone.get(storey)?.as_ref()?;
+    let height_m = simulation.frame.frame().storeys().get(storey)?.height_m;
+    let said = Ending::LiftsOff {
+        of: title(simulation),
+        name: simulation.storeys.get(storey).cloned().unwrap_or_default(),
+        uplift: millimetres(alone.uplift * height_m),
+    };
+    Some(Finding::key(Tone::Unknown, said))
+}
+
+/// The motion on columns alone, on beds that give way.
+fn on_beds(simulation: &FrameSimulation, columns: &ColumnsOnBeds) -> Finding {
+    let history = &columns.history;
+    let (of, count) = (title(simulation), columns.count);
+    let (uplift, drift) = (
+        millimetres(history.uplift_drift_m),
+        millimetres(history.peak_drift_m),
+    );
+    let lifted = seconds(history.uplift_s.unwrap_or_default());
+    match history.outcome {
+        ColumnOutcome::Stood => Finding::key(
+            Tone::Plain,
+            Ending::BedsStood {
+                of,
+                count,
+                uplift,
+                drift,
+            },
+        ),
+        ColumnOutcome::Rocked => Finding::key(
+            Tone::Warn,
+            Ending::BedsRocked {
+                of,
+                count,
+                uplift,
+                at: lifted,
+                drift,
+                share: Quantity::percent(history.peak_drift_m / history.falls_drift_m, 2),
+                spring: millimetres(
+                    simulation
+                        .history
+                        .drift_peaks
+                        .first()
+                        .map_or(0.0, |peak| peak.value_m.abs()),
+                ),
+            },
+        ),
+        ColumnOutcome::Fell { at_s } => Finding::key(
+            Tone::Bad,
+            Ending::BedsFell {
+                of,
+                count,
+                uplift,
+                lifted,
+                at: seconds(at_s),
+            },
+        ),
+        ColumnOutcome::NotConverged => {
+            Finding::key(Tone::Unknown, Ending::BedsNotFollowed { of, count, lifted })
+        }
+    }
 }
 
 fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone) -> Finding {
@@ -306,6 +400,14 @@ fn until_the_end(simulation: &FrameSimulation) -> Sentence {
             }
             .into()
         }
+        FrameOutcome::DriftLimit { storey, at_s } if ends_at_most(simulation, storey) => {
+            Ending::PastTheMost {
+                name: name(storey),
+                most: millimetres(drift_m(storey)),
+                at: seconds(at_s),
+            }
+            .into()
+        }
         FrameOutcome::DriftLimit { storey, at_s } if simulation.lean.is_some() => Ending::DriftLimitLeaning {
             name: name(storey),
             most: drift_most(),
@@ -320,6 +422,13 @@ fn until_the_end(simulation: &FrameSimulation) -> Sentence {
         .into(),
         FrameOutcome::Stopped { at_s } => Simulated::Stopped(seconds(at_s)).into(),
     }
+}
+
+/// Whether a storey reached the largest resistance of its columns before the limit of small drifts.
+fn ends_at_most(simulation: &FrameSimulation, storey: usize) -> bool {
+    let alone = simulation.columns_alone.get(storey).and_then(Option::as_ref);
+    let most = simulation.options.drift_ratio_most;
+    alone.is_some_and(|alone| (alone.most - most).abs() <= 1e-9 * most)
 }
 
 /// The largest lean of a storey for which small drifts are valid.

@@ -14,6 +14,7 @@ use crate::document::{Block, Document, Figure, TextStyle, document_text, finding
 use crate::figures::FramePlot;
 use crate::limits;
 use crate::simulated::{Simulated, capitalised, motion_section, undamped};
+use dolmen::dynamics::FrameOutcome;
 use dolmen::signal::Component;
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::frame::FrameSimulation;
@@ -87,9 +88,11 @@ pub(crate) fn sections<'a>(simulations: &[&'a FrameSimulation]) -> Document<'a> 
 fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
     document.heading(Simulated::Earthquake(title::title(simulation)));
     let said = capitalised(ending::ending(simulation));
-    document.put(match simulation.falls() {
-        true => Block::Warning(said),
-        false => Block::Paragraph(std::iter::once(said).chain(ending::state(simulation)).collect()),
+    document.put(match simulation.history.outcome {
+        FrameOutcome::DriftLimit { .. } => Block::Warning(said),
+        FrameOutcome::Finished | FrameOutcome::Stopped { .. } => {
+            Block::Paragraph(std::iter::once(said).chain(ending::state(simulation)).collect())
+        }
     });
     let without = undamped(simulation.undamped.as_ref());
     let without = without

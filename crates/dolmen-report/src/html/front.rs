@@ -13,12 +13,14 @@ use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::number::beside_one;
 use dolmen_words::{Language, Sentence};
-use dolmen_work::answer::ProjectReport;
+use dolmen_work::answer::{FileRead, ProjectReport};
 use dolmen_work::judgement::{
     AssumedInputs, Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
 };
 use dolmen_work::stack::SettledSimulation;
 use dolmen_work::state::{Check, State};
+use dolmen_work::study::fingerprint;
+use std::collections::BTreeSet;
 
 /// The answers on a project.
 pub(crate) struct Banner {
@@ -53,7 +55,7 @@ pub(crate) fn kind_words(structure: &Structure, language: Language) -> &'static 
             "Stability and twist of a building of rigid floors",
             "건물의 안정성과 비틀림 검토",
         ),
-        Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
+        Structure::Survey => language.pick("What was measured", "진동·변위 계측 결과"),
     }
 }
 
@@ -176,15 +178,28 @@ fn worse<'a>(
     each.collect()
 }
 
-/// The answers on a project, in a language; `None` without a model.
+/// The answers on a project, in a language; `None` without a model, alarms and changes.
 pub(crate) fn banner(answer: &ProjectReport, language: Language) -> Option<Banner> {
-    match answer.state() {
-        Some(state) => Some(of_state(answer, state, language)),
-        None => {
-            let run = answer.settled_stones().next()?;
-            Some(of_loose(answer, run, language))
-        }
+    match (answer.state(), answer.settled_stones().next()) {
+        (Some(state), _) => Some(of_state(answer, state, language)),
+        (None, Some(run)) => Some(of_loose(answer, run, language)),
+        (None, None) => of_years(answer, language),
     }
+}
+
+/// What surveys without a model show over the years.
+fn of_years(answer: &ProjectReport, language: Language) -> Option<Banner> {
+    let judgement = judge(&answer.answers);
+    let words = over_the_years(&judgement)?;
+    Some(Banner {
+        colour: judgement.colour(),
+        sign: judgement_sign(&judgement),
+        words: words.text(language),
+        first: Vec::new(),
+        sentence: text(Fronted::NoModel, language),
+        assumed: None,
+        scale: text(Fronted::YearsScale, language),
+    })
 }
 
 /// The answers on loose stones.
@@ -276,20 +291,61 @@ fn of_state(answer: &ProjectReport, state: &State, language: Language) -> Banner
 pub(crate) fn sources(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Vec<String> {
     let program = Both::from(imprint.program.as_str());
     let mut all = vec![text(Fronted::ComputedBy(program), language)];
-    if let Some(sampled) = answer.state().and_then(|state| state.sampled.as_ref()) {
-        let seed = sampled.unstable.seed;
-        all.push(text(Fronted::SamplesFrom(seed), language));
+    let variants = answer.check().into_iter().flat_map(|check| &check.variants);
+    let mut states = answer
+        .state()
+        .into_iter()
+        .chain(variants.map(|variant| &variant.state));
+    if let Some(sampled) = states.find_map(|state| state.sampled.as_ref()) {
+        let (samples, seed) = (sampled.unstable.samples, sampled.unstable.seed);
+        all.push(text(Fronted::SamplesFrom { samples, seed }, language));
     }
     if !answer.fingerprint.is_empty() {
         let print = answer.fingerprint.clone();
         all.push(Sentence::from(Given::Fingerprint(print)).text(language));
     }
+    all.extend(files_read(&answer.files).map(|said| said.text(language)));
     if let Some(source) = &answer.project.source {
         let source = Both::from(source.as_str());
         all.push(text(Fronted::InputFrom(source), language));
     }
+    let codes = codes(answer).into_iter().map(Both::from);
+    all.extend(codes.map(|code| text(Fronted::SiteCode(code), language)));
     all.extend(papers(&answer.project.structure, language));
     all
+}
+
+/// The codes of the sites, each once.
+fn codes(answer: &ProjectReport) -> BTreeSet<String> {
+    let versions = judge(&answer.answers).versions;
+    let sources = versions.into_iter().filter_map(|version| version.demand_source);
+    sources.map(|(code, _)| code).collect()
+}
+
+/// The other files behind a report, each with its fingerprint; of many one fingerprint of all.
+fn files_read(files: &[FileRead]) -> impl Iterator<Item = Sentence> {
+    /// Most files with a line of their own. Our choice: half a page.
+    const LISTED_MOST: usize = 30;
+    let each = files.iter().map(|of| Given::FileRead {
+        name: of.name.clone(),
+        bytes: of.bytes.to_string(),
+        print: of.fingerprint.clone(),
+    });
+    let together = || {
+        let all: Vec<String> = files
+            .iter()
+            .map(|of| format!("{} {}", of.name, of.fingerprint))
+            .collect();
+        Given::FilesRead {
+            count: files.len(),
+            print: fingerprint(all.join("\n").as_bytes()),
+        }
+    };
+    let said: Vec<Given> = match files.len() {
+        0..=LISTED_MOST => each.collect(),
+        _ => vec![together()],
+    };
+    said.into_iter().map(Sentence::from)
 }
 
 /// The works that a kind of structure rests on.
@@ -297,23 +353,28 @@ const CHAIN_WORK: &str = "최재성 (2021) 5개의 연결부를 가지는 역진
 const FRAME_WORK: &str = "박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction.";
 const STACK_WORK: &str = "Kim, N., Koo, I. Y. & Hong, S. G. (2018) Assessment factors for seismic performance of multi-block stone pagodas.";
 const ROCKING_WORK: &str = "Housner, G. W. (1963) The behavior of inverted pendulum structures during earthquakes. Bull. Seism. Soc. Am. 53(2):403–417.";
+const LIMIT_WORK: &str = "Livesley, R. K. (1978) Limit analysis of structures formed from rigid blocks. Int. J. Numer. Methods Eng. 12:1853–1871.";
 const BUILDING_WORK: &str = "황재승, 민경원, 홍성목: 동적 하중을 받는 횡-비틀림 방향이 조합된 고층건물의 진동 제어에 관한 연구 / Hwang, J.-S., Min, K.-W. & Hong, S.-M. Control of coupled lateral torsional vibration of tall building under dynamic lateral loads.";
 const RANDOM_VIBRATION_WORK: &str = "Der Kiureghian, A. (1981) A response spectrum method for random vibration analysis of MDF systems. Earthquake Engng Struct. Dyn. 9:419–435.";
 
 fn papers(structure: &Structure, language: Language) -> Vec<String> {
-    let (said, further) = match structure {
-        Structure::Chain(_) => (Fronted::ChainPaper(CHAIN_WORK.into()), None),
-        Structure::Frame(_) => (Fronted::FramePaper(FRAME_WORK.into()), None),
+    let (said, further): (Fronted, &[&str]) = match structure {
+        Structure::Chain(_) => (Fronted::ChainPaper(CHAIN_WORK.into()), &[]),
+        Structure::Frame(_) => (Fronted::FramePaper(FRAME_WORK.into()), &[]),
         Structure::Stack(part) if part.is_loose => return Vec::new(),
-        Structure::Stack(_) => (Fronted::StackPaper(STACK_WORK.into()), Some(ROCKING_WORK)),
+        Structure::Stack(_) => (
+            Fronted::StackPaper(STACK_WORK.into()),
+            &[ROCKING_WORK, LIMIT_WORK],
+        ),
         Structure::Building(_) => (
             Fronted::BuildingPaper(BUILDING_WORK.into()),
-            Some(RANDOM_VIBRATION_WORK),
+            &[RANDOM_VIBRATION_WORK],
         ),
         Structure::Survey => return Vec::new(),
     };
     let own = text(said, language);
-    [own].into_iter().chain(further.map(str::to_owned)).collect()
+    let further = further.iter().map(|work| (*work).to_owned());
+    [own].into_iter().chain(further).collect()
 }
 
 /// The closing text of every report.

@@ -32,9 +32,21 @@ messages! {
             en: "stable: λ ≥ {limit} · marginal: 1 < λ < {limit} · unstable: λ ≤ 1 · unknown: not enough is given. λ is the factor on gravity at which the structure falls.",
             ko: "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 안정을 잃는 중력의 배수(하중배율)이다.",
         },
+        NoModel => {
+            en: "There is no model: this is what the surveys show.",
+            ko: "구조 모델이 없으며 조사 결과만으로 판단하였다.",
+        },
+        YearsScale => {
+            en: "red: an alarm that no inspection or repair followed, or a limit of the file exceeded · amber: frequencies changed beyond chance",
+            ko: "빨강: 점검·보수가 뒤따르지 않은 경보 또는 파일에서 정한 한계의 초과 · 주황: 우연으로 볼 수 없는 진동수 변화",
+        },
         ComputedBy(program: Both) => { en: "Computed by {program}", ko: "계산 프로그램: {program}" },
-        SamplesFrom(seed: u64) => { en: "Seed of the samples: {seed}", ko: "표본 추출 시드: {seed}" },
+        SamplesFrom { samples: usize, seed: u64 } => {
+            en: "Samples of the inputs: {samples}, from seed {seed}",
+            ko: "입력의 표본: {samples}개, 난수 초깃값 {seed}",
+        },
         InputFrom(source: Both) => { en: "Input: {source}", ko: "입력 자료: {source}" },
+        SiteCode(code: Both) => { en: "Earthquake demand: {code}", ko: "지진 요구: {code}" },
         ChainPaper(work: Both) => {
             en: "{work} The published criterion: eqs 38–43, Tables 1–3.",
             ko: "{work} 발표된 기준: 식 38–43, 표 1–3.",

@@ -2,12 +2,13 @@
 
 use super::fronted::{InputsGiven, text};
 use super::table::{Cell, table};
-use super::words::{evidence_word, input_words, unit_text};
-use crate::check::title;
+use super::words::{evidence_word, input_words, set, unit_text};
+use crate::check::{title, version};
 use crate::document::{Block, Numbers, block_html, table_label};
+use crate::other_inputs::{other_inputs, other_inputs_of};
 use crate::surveys_given::{Given, inputs_listed, surveys_table};
 use crate::warned::warned;
-use dolmen_project::{Quantity, Structure, Survey};
+use dolmen_project::{Project, Quantity, Survey};
 use dolmen_words::message::Both;
 use dolmen_words::number;
 use dolmen_words::{Digits, Language, Quantity as Shown, Sentence, Unit};
@@ -26,14 +27,16 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
         } @else {
             @let gravity = Shown::new(project.gravity_m_s2, Unit::si("m/s²"), Digits::Trimmed(6));
             @let caption = InputsGiven::Tinted { gravity }.into();
-            (inputs_table(&caption, (&project.structure, &inputs), language, numbers))
+            (inputs_table(&caption, (project, &inputs), language, numbers))
         }
+        @if let Some(table) = other_inputs(answer) { (block_html(&Block::Table(table), language, numbers)) }
         @for variant in answer.variants() {
             @if !variant.own_inputs.is_empty() {
                 @let inputs: Vec<&Quantity> = variant.own_inputs.iter().collect();
                 @let caption = InputsGiven::OfVariant { variant: title(variant) }.into();
-                (inputs_table(&caption, (&project.structure, &inputs), language, numbers))
+                (inputs_table(&caption, (version(project, variant), &inputs), language, numbers))
             }
+            @if let Some(table) = other_inputs_of(answer, variant) { (block_html(&Block::Table(table), language, numbers)) }
         }
         (surveys(answer, language, numbers))
         @if !project.warnings.is_empty() {
@@ -47,7 +50,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
 
 fn inputs_table(
     caption: &Sentence,
-    (structure, inputs): (&Structure, &[&Quantity]),
+    (project, inputs): (&Project, &[&Quantity]),
     language: Language,
     numbers: &mut Numbers,
 ) -> Markup {
@@ -71,13 +74,13 @@ fn inputs_table(
         .map(|q| {
             let source = evidence_word(q.source, language);
             let mut row: Vec<Cell> = vec![
-                input_words(structure, &q.path, language).into(),
+                input_words(project, &q.path, language).into(),
                 if q.is_assumed() {
                     Cell::assumed(source)
                 } else {
                     source.into()
                 },
-                q.written.clone().into(),
+                set(&q.written).into(),
                 format!(
                     "{}{}{}",
                     number::trimmed(q.value, 6),

@@ -42,11 +42,11 @@ messages! {
         },
         LooseSettle => {
             en: "Loose stones: rigid, with friction and without bond, released where the file has them. They come to rest under their own weight by two laws of contact, springs with dashpots and rigid stones; a motion acts on the stones at rest.",
-            ko: "돌무더기: 부재는 강체이며 접촉면은 마찰에 저항하고 부착은 없다. 입력한 자리에서 놓아 자중만으로 안착할 때까지 두 접촉 법칙(감쇠를 가진 스프링, 강체 접촉)으로 해석하였다. 지반운동은 안착한 돌에 작용한다.",
+            ko: "돌무더기: 부재는 강체이며 접촉면은 마찰에 저항하고 부착은 없다. 입력한 자리에서 놓아 자중만으로 안착할 때까지 두 접촉 모델(감쇠를 가진 스프링, 강체 접촉)으로 해석하였다. 지반운동은 안착한 돌에 작용한다.",
         },
         LooseNot => {
-            en: "Not covered: the margin to first motion, cracking and crushing of stone, earth and small stones between the large ones, settlement of the ground.",
-            ko: "검토 범위 밖: 최초 거동까지의 여유, 석재의 균열과 압괴, 큰 돌 사이의 흙과 잔돌, 지반의 침하.",
+            en: "Not covered: cracking and crushing of stone, earth and small stones between the large ones, settlement of the ground.",
+            ko: "검토 범위 밖: 석재의 균열과 압괴, 큰 돌 사이의 흙과 잔돌, 지반의 침하.",
         },
         StackNot => {
             en: "Not covered: cracking and crushing of stone, settlement and softness of the ground under shaking, ageing. The thresholds are those of first motion, not of collapse.",
@@ -81,8 +81,12 @@ messages! {
             ko: "층마다 S는 그 층의 강성행렬, G는 중력이 감소시키는 강성행렬이다. λ는 모든 층의 양의 근 가운데 가장 작은 값이다.",
         },
         BuildingVibrates => {
-            en: "K: stiffness, less what gravity takes from it where the file counts P-delta; M: masses, φ: mode shape, ω = 2π f: circular frequency of a mode.",
-            ko: "K는 강성행렬(파일에서 P-델타 효과를 고려하면 중력에 의한 감소 포함), M은 질량행렬, φ는 모드형상, ω = 2π f는 모드의 각진동수이다.",
+            en: "K: stiffness, less what gravity takes from it (P-delta); M: masses, φ: mode shape, ω = 2π f: circular frequency of a mode.",
+            ko: "K는 중력에 의한 감소(P-델타)를 포함한 강성행렬, M은 질량행렬, φ는 모드형상, ω = 2π f는 모드의 각진동수이다.",
+        },
+        BuildingVibratesAlone => {
+            en: "K: stiffness, without what gravity takes from it: the file leaves P-delta out of modes and responses; M: masses, φ: mode shape, ω = 2π f: circular frequency of a mode.",
+            ko: "K는 강성행렬이며 파일에서 P-델타 효과를 제외하였으므로 모드와 응답에 중력에 의한 강성 감소가 없다. M은 질량행렬, φ는 모드형상, ω = 2π f는 모드의 각진동수이다.",
         },
         Margin => {
             en: "m: margin of a joint, k: its stiffness, k_min: the least one at which the chain stands, the other joints as they are.",
@@ -141,9 +145,15 @@ fn formulas(project: &Project) -> Vec<(Vec<Math>, Method)> {
             (singular(), Method::Singular),
             (vibrates(less_gravity()), Method::Vibrates),
         ],
-        Structure::Building(_) => vec![
+        Structure::Building(part) => vec![
             (singular(), Method::StoreySingular),
-            (vibrates(Math::Matrix("K")), Method::BuildingVibrates),
+            (
+                vibrates(Math::Matrix("K")),
+                match part.p_delta {
+                    true => Method::BuildingVibrates,
+                    false => Method::BuildingVibratesAlone,
+                },
+            ),
         ],
         Structure::Stack(part) if part.is_loose => Vec::new(),
         Structure::Stack(_) => vec![(tips(), Method::Tips), (slides(), Method::Slides)],

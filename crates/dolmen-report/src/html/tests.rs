@@ -150,6 +150,7 @@ fn report(project: Project, check: Option<Check>, surveys: Vec<SurveyAnswer>) ->
         left_out: Vec::new(),
         photos: Default::default(),
         fingerprint: String::new(),
+        files: Vec::new(),
     }
 }
 

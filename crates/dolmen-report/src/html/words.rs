@@ -3,7 +3,7 @@
 use super::fronted::{Fronted, text};
 use dolmen::stability::Verdict;
 use dolmen::structure::Convention;
-use dolmen_project::{Evidence, Structure};
+use dolmen_project::{Evidence, Project, StoreyStiffnessPart, Structure};
 use dolmen_words::{Language, Quantity, printed_name};
 use dolmen_work::judgement::{Colour, Judgement, Weight};
 
@@ -72,11 +72,24 @@ pub(crate) fn unit_text(unit: &str) -> String {
 
 /// A value as the file writes it, with the signs of print: "12 kN*m/rad" is "12 kN·m/rad", "kg/m3" is "kg/m³".
 pub(crate) fn set(written: &str) -> String {
-    written
-        .replace('*', "·")
-        .replace("/m3", "/m³")
-        .replace("/m2", "/m²")
-        .replace("/s2", "/s²")
+    let signs: Vec<char> = written.chars().collect();
+    let is_power = |at: usize| {
+        let ends = signs.get(at + 1).is_none_or(|next| !next.is_alphanumeric());
+        let word: String = signs[..at]
+            .iter()
+            .rev()
+            .take_while(|sign| sign.is_alphabetic())
+            .collect();
+        ends && matches!(word.as_str(), "m" | "mm" | "mc" | "mk" | "s")
+    };
+    let each = signs.iter().enumerate().map(|(at, sign)| match sign {
+        '*' => '·',
+        '2' if is_power(at) => '²',
+        '3' if is_power(at) => '³',
+        '4' if is_power(at) => '⁴',
+        other => *other,
+    });
+    each.collect()
 }
 
 /// `links[1].weight` in words, "link 1, weight"; an unknown path stays as it is.
@@ -104,16 +117,74 @@ pub(crate) fn path_words(path: &str, language: Language) -> String {
     }
 }
 
-/// The same with the names of stones, links and storeys: `blocks[4].width` is "1층탑신 폭".
-pub(crate) fn input_words(structure: &Structure, path: &str, language: Language) -> String {
+/// The same with the names that the file gives: `blocks[4].width` is "1층탑신 폭", `loads[1].force[3]` "load ‘statue’ force z".
+pub(crate) fn input_words(project: &Project, path: &str, language: Language) -> String {
     let words = path_words(path, language);
-    let numbered = path
-        .split_once(']')
-        .and_then(|(part, _)| part_words(&format!("{part}]"), language));
-    match (named(structure, path), numbered) {
-        (Some(name), Some(numbered)) => words.replacen(&numbered, &printed_name(name, language), 1),
-        _ => words,
+    let mut named_words = words.clone();
+    for (numbered, name) in names(project, path, language) {
+        named_words = named_words.replacen(&numbered, &name, 1);
     }
+    named_words
+}
+
+/// The numbered parts of a path in words, each with its name in the file.
+fn names(project: &Project, path: &str, language: Language) -> Vec<(String, String)> {
+    let numbered = |part: &str| part_words(part, language);
+    let printed = |name: &str| printed_name(name, language).into_owned();
+    let mut all = Vec::new();
+    let Some((first, rest)) = path.split_once(']') else {
+        return all;
+    };
+    let part = format!("{first}]");
+    if let (Some(name), Some(numbered)) = (named(&project.structure, path), numbered(&part)) {
+        all.push((numbered, printed(name)));
+    }
+    let quoted = |words: &str, name: &str| {
+        let kind = words
+            .trim_end_matches(|sign: char| sign.is_ascii_digit())
+            .trim_end();
+        format!("{kind} ‘{}’", printed(name))
+    };
+    let mut quote = |part: &str, name: Option<&str>| {
+        if let (Some(name), Some(words)) = (name, stack_words(part, language)) {
+            all.push((words.clone(), quoted(&words, name)));
+        }
+    };
+    let at = |part: &str| -> Option<usize> {
+        let number: usize = part.split_once('[')?.1.trim_end_matches(']').parse().ok()?;
+        number.checked_sub(1)
+    };
+    let building = match &project.structure {
+        Structure::Building(of) => Some(&**of),
+        Structure::Chain(_) | Structure::Frame(_) | Structure::Stack(_) | Structure::Survey => None,
+    };
+    match (first.split('[').next(), at(&part)) {
+        (Some("loads"), Some(at)) => {
+            let load = project.loads.loads.get(at);
+            quote(&part, load.map(|load| load.name.as_str()));
+        }
+        (Some("points"), Some(at)) => {
+            let point = building.and_then(|of| of.points.get(at));
+            quote(&part, point.map(|point| point.name.as_str()));
+        }
+        (Some("floors"), Some(floor)) => {
+            let floor = building.and_then(|of| of.floors.get(floor));
+            quote(&part, floor.and_then(|floor| floor.name.as_deref()));
+            let wall = rest
+                .trim_start_matches('.')
+                .split('.')
+                .next()
+                .filter(|of| of.starts_with("walls["));
+            if let (Some(wall), Some(StoreyStiffnessPart::Walls(walls))) =
+                (wall, floor.map(|of| &of.stiffness))
+            {
+                let own = at(wall).and_then(|at| walls.get(at));
+                quote(wall, own.and_then(|wall| wall.name.as_deref()));
+            }
+        }
+        _ => {}
+    }
+    all
 }
 
 /// The name in the file of the part of a path: of `blocks[4].width`, `links[2].length` or `storeys[1].mass`.
@@ -131,13 +202,13 @@ fn named<'a>(structure: &'a Structure, path: &str) -> Option<&'a str> {
 
 /// "1층탑신" and "폭" for `blocks[4].width`; `None` for paths without a numbered part.
 pub(crate) fn part_and_quantity(
-    structure: &Structure,
+    project: &Project,
     path: &str,
     language: Language,
 ) -> Option<(String, String)> {
-    let whole = input_words(structure, path, language);
+    let whole = input_words(project, path, language);
     let (part, _) = path.split_once("].")?;
-    let name = match named(structure, path) {
+    let name = match named(&project.structure, path) {
         Some(name) => printed_name(name, language).into_owned(),
         None => part_words(&format!("{part}]"), language)?,
     };
@@ -261,6 +332,9 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             "tilt" => language.pick("tilt", "기울기").to_owned(),
             "x" | "y" | "z" => name.to_owned(),
             "position" => format!("{} {}", language.pick("position", "위치"), axis(number)?),
+            "force" if !number.is_empty() => {
+                format!("{} {}", quantity_word("force", language)?, axis(number)?)
+            }
             "at" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
             "offset" => format!("{} {}", language.pick("offset", "편심"), axis(number)?),
             "points" if path.starts_with("points") => format!("{} {number}", language.pick("point", "점")),
@@ -364,6 +438,10 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "bed_stiffness" => language.pick("bed stiffness", "밑면 강성"),
         "force" => language.pick("force", "힘"),
         "moment" => language.pick("moment", "모멘트"),
+        "torque" => language.pick("torque", "비틀림 모멘트"),
+        "acceleration_limit" => {
+            language.pick("allowed acceleration of the top floor", "최상층 가속도 허용값")
+        }
         "speed" => language.pick("speed", "풍속"),
         "pressure" => language.pick("pressure", "풍압"),
         "force_coefficient" => language.pick("force coefficient", "풍력계수"),
@@ -393,17 +471,73 @@ mod tests {
     fn exact_stones_are_called_by_their_names() {
         let text = "schema = 1\nkind = \"stack\"\nname = \"T\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
                     blocks = [{ name = \"기단\", width = 1, height = 1 }, { name = \"1층탑신\", width = 0.8, height = 1.2 }]\n";
-        let structure = dolmen_project::parse_project(text, "p.toml").unwrap().structure;
-        let of = |path| input_words(&structure, path, Language::Korean);
+        let project = dolmen_project::parse_project(text, "p.toml").unwrap();
+        let of = |path| input_words(&project, path, Language::Korean);
         assert_eq!(of("blocks[2].width"), "1층탑신 폭");
         assert_eq!(of("blocks[9].width"), "블록 9 폭");
         assert_eq!(of("density"), "석재 밀도");
         assert_eq!(of("trilithon.post_height"), "삼석문 기둥돌 높이");
         assert_eq!(of("dome.oculus"), "돔 천창 지름");
         assert_eq!(
-            input_words(&structure, "blocks[1].tilt.x", Language::English),
+            input_words(&project, "blocks[1].tilt.x", Language::English),
             "기단 tilt x"
         );
+    }
+
+    #[test]
+    fn exact_loads_walls_and_points_are_called_by_their_names_and_axes() {
+        let text = "schema = 1\nkind = \"building\"\nname = \"H\"\nunits = { mass = \"t\", stiffness = \"kN/mm\" }\n\
+                    floors = [{ mass = 100, sides = [8, 6], height = 3, walls = [\n\
+                    { name = \"left\", x = -4, y = 0, stiffness_x = 10, stiffness_y = 10 }, { x = 4, y = 0, stiffness_x = 10, stiffness_y = 10 }] }]\n\
+                    points = [{ name = \"right edge\", floor = 1, place = [4, 0] }]\n\
+                    loads = [{ name = \"crane\", at = \"1\", force = [\"60 kN\", 0], torque = \"900 kN*m\" }]\n";
+        let project = dolmen_project::parse_project(text, "p.toml").unwrap();
+        for (path, english, korean) in [
+            ("loads[1].force[1]", "load ‘crane’ force x", "하중 ‘crane’ 힘 x"),
+            (
+                "loads[1].torque",
+                "load ‘crane’ torque",
+                "하중 ‘crane’ 비틀림 모멘트",
+            ),
+            (
+                "points[1].place[2]",
+                "point ‘right edge’ place y",
+                "점 ‘right edge’ 위치 y",
+            ),
+            (
+                "floors[1].walls[1].stiffness_x",
+                "floor 1 wall ‘left’ stiffness x",
+                "바닥 1 벽체 ‘left’ 강성 x",
+            ),
+            (
+                "floors[1].walls[2].stiffness_x",
+                "floor 1 wall 2 stiffness x",
+                "바닥 1 벽체 2 강성 x",
+            ),
+            (
+                "wind.acceleration_limit",
+                "wind: allowed acceleration of the top floor",
+                "바람 최상층 가속도 허용값",
+            ),
+        ] {
+            assert_eq!(input_words(&project, path, Language::English), english);
+            assert_eq!(input_words(&project, path, Language::Korean), korean);
+        }
+    }
+
+    #[test]
+    fn exact_powers_of_units_are_raised_and_other_numbers_are_not() {
+        for (written, shown) in [
+            ("0.5 m2", "0.5 m²"),
+            ("7 kg/m3", "7 kg/m³"),
+            ("2 kg*m2", "2 kg·m²"),
+            ("9 m/s2", "9 m/s²"),
+            ("12.3 mm4", "12.3 mm⁴"),
+            ("EN 1991-1-4", "EN 1991-1-4"),
+            ("12 kN*m/rad", "12 kN·m/rad"),
+        ] {
+            assert_eq!(set(written), shown);
+        }
     }
 
     #[test]

@@ -49,6 +49,7 @@ fn not_compared(of: &NotCompared) -> Value {
             WhyNotCompared::StiffnessUnknown => "stiffness unknown",
             WhyNotCompared::Falls => "falls",
             WhyNotCompared::LoosePost => "a side post with a gap may close",
+            WhyNotCompared::FeetLiftOff => "columns without ties lift off",
             WhyNotCompared::FallsSlipping => "falls while its joints slip",
             WhyNotCompared::NoSpectrum => "the spectrum has no value at its damping or periods",
         },

@@ -92,6 +92,7 @@ fn change(of: &LastingChange) -> Value {
         "after_sd_hz": of.after_sd_hz,
         "change_ratio": of.ratio,
         "sd": of.ratio_sd,
+        "chance": of.chance,
         "beyond_chance": of.is_beyond_chance(),
     })
 }

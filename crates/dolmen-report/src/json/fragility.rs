@@ -20,6 +20,7 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
                 "scans": state.scans(),
                 "scans_reached": state.reached(),
                 "scans_fell_by_themselves": state.fell_alone,
+                "scans_lean_beyond_at_rest": state.leans_beyond,
                 "probability_without_shaking": state.share_alone(),
                 "by_peak_acceleration_m_s2": fit_json(&state.by_acceleration)?,
                 "by_measure": by_measure(state)?,

@@ -3,8 +3,12 @@
 use super::simulation::motion_json;
 use crate::as_json;
 use crate::limits::parts_json;
-use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction, TenonFace};
-use dolmen_work::frame::{ColumnsInMotion, FrameBeside, FrameSimulation, FrameTogether, SensorBeside};
+use dolmen::dynamics::{
+    ColumnOutcome, FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction, TenonFace,
+};
+use dolmen_work::frame::{
+    ColumnsInMotion, ColumnsOnBeds, FrameBeside, FrameSimulation, FrameTogether, SensorBeside,
+};
 use serde_json::Value;
 
 /// A simulation without its histories.
@@ -45,7 +49,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "measured": simulation.beside.as_ref().map(beside),
         "carried_weight_n": simulation.carried_n,
         "loads_left_out": simulation.loads_left_out,
-        "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent,
+        "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent && simulation.on_beds().is_none(),
         "columns_alone": columns_alone(&simulation.columns),
         "together": simulation.together.as_ref().map(together),
         "lean": simulation.lean.as_ref().map(|lean| as_json!({
@@ -122,8 +126,13 @@ fn together(of: &FrameTogether) -> Value {
 }
 
 fn columns_alone(columns: &ColumnsInMotion) -> Value {
-    let ColumnsInMotion::Alone(alone) = columns else {
-        return Value::Null;
+    let alone = match columns {
+        ColumnsInMotion::Alone(alone) => alone,
+        ColumnsInMotion::OnBeds(run) => return columns_on_beds(run),
+        ColumnsInMotion::Absent
+        | ColumnsInMotion::SeveralStoreys
+        | ColumnsInMotion::BesideJoints
+        | ColumnsInMotion::BothComponents => return Value::Null,
     };
     let (block, history) = (&alone.rocks_like, &alone.history);
     let (outcome, at_s) = match history.outcome {
@@ -146,6 +155,29 @@ fn columns_alone(columns: &ColumnsInMotion) -> Value {
         "peak_rotation_rad": history.peak_rotation_rad,
         "peak_drift_m": alone.drift_m(history.peak_rotation_rad),
         "impacts": history.impacts.len(),
+    })
+}
+
+fn columns_on_beds(of: &ColumnsOnBeds) -> Value {
+    let history = &of.history;
+    let (outcome, at_s) = match history.outcome {
+        ColumnOutcome::Stood => ("stood", None),
+        ColumnOutcome::Rocked => ("rocked", None),
+        ColumnOutcome::Fell { at_s } => ("fell", Some(at_s)),
+        ColumnOutcome::NotConverged => ("not_converged", None),
+    };
+    as_json!({
+        "count": of.count,
+        "height_m": of.height_m,
+        "outcome": outcome,
+        "fell_at_s": at_s,
+        "lifted_off_at_s": history.uplift_s,
+        "lift_off_drift_m": history.uplift_drift_m,
+        "fall_drift_m": history.falls_drift_m,
+        "peak_drift_m": history.peak_drift_m,
+        "residual_drift_m": history.rest_drift_m,
+        "change_of_peak": Some(history.peak_change).filter(|change| change.is_finite()),
+        "steps": history.steps,
     })
 }
 

@@ -251,10 +251,11 @@ fn driven(driven: &Driven) -> Value {
 
 fn decay(decay: &Decay) -> Value {
     let at = |of: &AtAmplitude| with(of, as_json!({ "half_width_95": of.half_width_95().ok() }));
-    let mode = |m: &ModeDecay| as_json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
+    let mode = |m: &ModeDecay| as_json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "overtone_of_hz": m.overtone.map(|of| of.of_hz), "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
     as_json!({
         "explained": decay.explained,
         "left_peaks_hz": decay.left_peaks_hz,
+        "machines_hz": decay.machines_hz,
         "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
         "notes": english(decay_remarks(decay)),
     })

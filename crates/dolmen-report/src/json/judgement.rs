@@ -56,6 +56,8 @@ fn version(version: &VersionJudgement) -> Value {
         "evidence": evidence(&version.evidence),
         "tilt_left_out": version.tilt_left_out.as_ref().map(|of| as_json!({ "survey": of.survey, "tilt": of.written })),
         "tilt_beyond_limit": version.tilt_beyond_limit,
+        "tilt_near_limit": version.tilt_near_limit,
+        "damage_beyond_limit": version.damage_beyond_limit,
         "leans": version.leans.as_ref().map(|of| as_json!({ "survey": of.survey, "tilt": of.tilt })),
         "solution": version.solution.map(|of| as_json!({ "number": of.number, "of": of.of })),
         "after": version.after.as_ref().map(|of| as_json!({ "first": of.first, "second": of.second })),

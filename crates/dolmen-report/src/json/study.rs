@@ -58,7 +58,8 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "scans_missing": answer.missing.len(),
         "scans_left_out": left_out(answer),
         "allowed_drift": answer.allowed_drift().map(|of| as_json!({
-            "limit": of.limit, "lean": of.lean, "before": of.before, "scans": of.scans, "beyond": of.beyond, "least_m_s2": of.least_m_s2,
+            "limit": of.limit, "lean": of.lean, "before": of.before, "scans": of.scans, "beyond": of.beyond,
+            "beyond_at_rest": of.at_rest, "least_m_s2": of.least_m_s2,
         })),
         "runs": answer.runs.len(),
         "outcomes": outcomes,

@@ -35,7 +35,7 @@ messages! {
             ko: "{part}의 층간변위비는 {drift}이며, 지진 전 기울기 {lean}만으로 이미 허용값 {allowed}에 이른다(저항/요구 0).",
         },
         DriftWithout { part: Sentence, drift: Quantity } => {
-            en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided: write [limits] with code and importance, or storey_drift.",
+            en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided. Write [limits] with code and importance, or storey_drift.",
             ko: "{part}의 층간변위비는 {drift}이나 허용 층간변위가 없어 판정하지 않는다. [limits]에 code와 importance, 또는 storey_drift를 입력한다.",
         },
         Falls { part: Sentence, drift: Quantity, most: Quantity } => {

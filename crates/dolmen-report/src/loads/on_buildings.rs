@@ -25,7 +25,7 @@ messages! {
             ko: "{what}: {floor} 바닥 아래층의 {axis} 방향 층간변위가 층고의 {ratio}(으)로 허용값 {limit}을(를) 넘는다.",
         },
         NoLimit { what: Sentence, ratio: Quantity, floor: Sentence, axis: Sentence } => {
-            en: "{what}: the largest drift is {ratio} of the storey height, along {axis} below floor {floor}. The file gives no limit for it: write storey_drift into [limits].",
+            en: "{what}: the largest drift is {ratio} of the storey height, along {axis} below floor {floor}. The file gives no limit for it. Write storey_drift into [limits].",
             ko: "{what}: 최대 층간변위는 {floor} 바닥 아래에서 {axis} 방향으로 층고의 {ratio}이다. 파일에 허용값이 없어 판정하지 않았다. [limits]에 storey_drift를 쓴다.",
         },
         UnknownWind { what: Sentence } => {
@@ -74,7 +74,7 @@ messages! {
     }
 }
 
-/// The findings of a building: of the worst combination, and of each whose motion is unknown.
+/// The findings of a building: of the worst combination, of the worst with the earthquake, and of each whose motion is unknown.
 pub(super) fn findings(answer: &LoadsAnswer, is_contradicted: bool) -> Vec<Finding> {
     let mut all = Vec::new();
     for combination in &answer.combinations {
@@ -87,11 +87,23 @@ pub(super) fn findings(answer: &LoadsAnswer, is_contradicted: bool) -> Vec<Findi
         all.push(Finding::key(Tone::Unknown, said));
     }
     let worst = answer.worst();
-    all.extend(worst.and_then(|worst| {
-        let of = worst.building()?;
-        Some(of_combination(what(answer, worst), of, is_contradicted))
+    let shaken =
+        worst_shaken(answer).filter(|shaken| worst.is_none_or(|worst| !std::ptr::eq(worst, *shaken)));
+    all.extend(worst.into_iter().chain(shaken).filter_map(|combination| {
+        let of = combination.building()?;
+        Some(of_combination(what(answer, combination), of, is_contradicted))
     }));
     all
+}
+
+/// The combination with the earthquake that uses most of its allowable drift.
+fn worst_shaken(answer: &LoadsAnswer) -> Option<&CombinationAnswer> {
+    let used = |of: &CombinationAnswer| {
+        let building = of.building().filter(|building| building.earthquake > 0.0)?;
+        Some(building.largest()?.ratio / building.drift_limit?)
+    };
+    let each = answer.combinations.iter().filter_map(|of| Some((used(of)?, of)));
+    each.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, of)| of)
 }
 
 fn of_combination(what: Sentence, of: &BuildingCombination, is_contradicted: bool) -> Finding {

@@ -1,7 +1,7 @@
 //! The section of a record with earthquakes: measurements, and the structure before, during and after them.
 
 use super::earthquake::findings;
-use super::earthquake_words::{HALF_95, Quake, share, time};
+use super::earthquake_words::{Quake, share, time};
 use super::values::hertz;
 use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
 use crate::figures::{frequency_through, spectra_of_channels, through_series};
@@ -125,7 +125,7 @@ fn changes(caption: Quake, all: &[LastingChange]) -> Table {
             frequency(of.before_hz, of.before_sd_hz),
             frequency(of.after_hz, of.after_sd_hz),
             Cell::Number(Some(share(of.ratio))),
-            Cell::Number(of.ratio_sd.map(|sd| share(HALF_95 * sd))),
+            Cell::Number(of.half_width_95().map(share)),
         ]
     };
     Table {

@@ -59,8 +59,8 @@ messages! {
             ko: "이 진동이 남긴 유의한 변화는 없다: {frequency} 모드 {by} ± {half}(95 %).",
         },
         LeftUnknown => {
-            en: "What it left cannot be told: 40 s with modes are needed on either side of it.",
-            ko: "이 진동이 남긴 변화는 알 수 없다. 앞뒤로 각각 40 s 이상의 기록과 모드가 필요하다.",
+            en: "What it left cannot be told: it takes modes that were found on both sides of it, in 40 s each at least.",
+            ko: "이 진동이 남긴 변화는 알 수 없다. 각각 40 s 이상인 앞뒤 구간 모두에서 식별된 모드가 필요하다.",
         },
         Parts { each: Vec<Sentence> } => {
             en: "Lowest frequency in the parts without them: {each}.",
@@ -98,8 +98,8 @@ messages! {
             ko: "유의한 잔류 변화는 없다. {frequency} 모드의 변화는 {when} {by} ± {half}(95 %)이다. 손상이 없다는 증명은 아니다.",
         },
         CannotTell => {
-            en: "Whether the earthquake changed the structure cannot be told from this record: modes before and after it are needed, 40 s of each at least.",
-            ko: "이 기록으로는 지진이 구조물을 변화시켰는지 알 수 없다. 지진 전과 후에 각각 40 s 이상의 기록과 모드가 필요하다.",
+            en: "Whether the earthquake changed the structure cannot be told from this record: it takes modes that were found both before and after it, in 40 s each at least.",
+            ko: "이 기록으로는 지진이 구조물을 변화시켰는지 알 수 없다. 각각 40 s 이상인 지진 전후 구간 모두에서 식별된 모드가 필요하다.",
         },
         OfAfter { from: Quantity, to: Quantity } => {
             en: "The modes below are those of the record after the earthquake, {from} to {to}.",
@@ -178,9 +178,6 @@ messages! {
     }
 }
 
-/// Half of the width of an interval that holds 95 %, in standard deviations.
-pub(super) const HALF_95: f64 = 1.96;
-
 /// A change in words: the frequency, its change and half of the interval.
 pub(super) struct ChangeWords {
     pub(super) frequency: Quantity,
@@ -190,7 +187,7 @@ pub(super) struct ChangeWords {
 
 impl ChangeWords {
     pub(super) fn of(change: &LastingChange) -> Self {
-        let half = change.ratio_sd.map_or(f64::NAN, |sd| HALF_95 * sd);
+        let half = change.half_width_95().unwrap_or(f64::NAN);
         // both to the first digit of the interval
         let decimals = (-(100.0 * half).abs().log10().floor()).clamp(1.0, 4.0);
         let digits = Digits::Fixed(if decimals.is_nan() { 1 } else { decimals as usize });

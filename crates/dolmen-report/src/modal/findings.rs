@@ -1,5 +1,6 @@
 //! Findings on records and modes.
 
+use super::cautions::cautions;
 use super::driven;
 use super::earthquake;
 use super::faults::fault_words;
@@ -8,7 +9,7 @@ use super::setup_remarks::setup_faults;
 use super::steps::step_words;
 use super::values::{all_hertz, frequency, hertz};
 use crate::document::{Finding, Tone};
-use dolmen::modal::{DrivenMode, Mode, Note, SensorDoubt};
+use dolmen::modal::{DrivenMode, Mode, Note, PartialMode, SensorDoubt};
 use dolmen::signal::Processing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
@@ -117,9 +118,14 @@ messages! {
             ko: "입력 오류 의심: {channel}은(는) 모든 모드에서 최대 성분의 {share} % 미만으로 움직인다. 단단한 지반 위의 센서가 아니라면, 연결되어 있고 단위가 다른 채널과 같은가(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배 작다)?",
         },
         Lost { file: String, said: Sentence } => { en: "Record {file}: {said}.", ko: "기록 {file}: {said}." },
-        Setups { setups: usize, modes: usize, sensors: usize, values: Sentence, differing: usize } => {
-            en: "{setups} setups together ({sensors} sensors) show modes: {modes}; {values}. Modes in which the setups differ beyond chance: {differing}.",
-            ko: "측정 배치 {setups}개를 합성하여 센서 {sensors}개에서 모드 {modes}개를 찾았다: {values}. 이 중 {differing}개에서 배치 사이의 차이가 유의하다.",
+        Setups { setups: usize, modes: usize, sensors: usize, values: Sentence, differing: usize, left_out: Sentence } => {
+            en: "{setups} setups together ({sensors} sensors) show modes: {modes}; {values}. Modes in which the setups differ beyond chance: {differing}.{left_out}",
+            ko: "측정 배치 {setups}개를 합성하여 센서 {sensors}개에서 모드 {modes}개를 찾았다: {values}. 이 중 {differing}개에서 배치 사이의 차이가 유의하다.{left_out}",
+        },
+        NoneLeftOut => { en: "", ko: "" },
+        LeftOut { count: usize } => {
+            en: " Frequencies left out, since their shapes at the references differ between the setups: {count}. If these are many, look for a sensor that was turned or exchanged.",
+            ko: " 기준 센서에서의 형상이 배치마다 달라 제외한 진동수: {count}개. 여럿이면 돌아갔거나 바뀐 센서가 있는지 확인한다.",
         },
         SetupsNone { setups: usize, sensors: usize } => {
             en: "{setups} setups together ({sensors} sensors) show no mode.",
@@ -210,6 +216,7 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
     let mut all: Vec<Finding> = record.earthquake.iter().flat_map(earthquake::findings).collect();
     all.push(first);
     all.extend(following(record));
+    all.extend(cautions(record));
     all.extend(peaks_below(record, &found));
     all.extend(accepted(&modes.modes));
     all.extend(doubts(record));
@@ -477,6 +484,21 @@ fn of_setups(setups: &SetupsAnswer) -> Finding {
         sensors,
         values: frequencies(&modes),
         differing,
+        left_out: match unlike_frequencies(&setups.merged.partial) {
+            0 => Found::NoneLeftOut,
+            count => Found::LeftOut { count },
+        }
+        .into(),
     };
     Finding::key(tone, found).with_code("setups")
+}
+
+/// Number of different frequencies at which the setups have different shapes.
+fn unlike_frequencies(partial: &[PartialMode]) -> usize {
+    const ONE: f64 = 0.01; // relative; the setups show one mode within less
+    let unlike = partial.iter().filter(|mode| !mode.unlike_in.is_empty());
+    let mut frequency_hz: Vec<f64> = unlike.map(|mode| mode.frequency_hz).collect();
+    frequency_hz.sort_by(f64::total_cmp);
+    frequency_hz.dedup_by(|later, first| *later / *first - 1.0 <= ONE);
+    frequency_hz.len()
 }

@@ -1,6 +1,7 @@
 //! Answers about records and modes: findings, and the sections of records, setups and free decays.
 
 mod beside_model;
+mod cautions;
 mod clipped;
 mod clocks;
 mod decay;
@@ -46,7 +47,8 @@ messages! {
 }
 
 /// Templates of the sentences on records.
-pub(crate) const TEMPLATES: [&[Template]; 22] = [
+pub(crate) const TEMPLATES: [&[Template]; 23] = [
+    cautions::Cautions::TEMPLATES,
     findings::Found::TEMPLATES,
     Of::TEMPLATES,
     beside_model::Beside::TEMPLATES,

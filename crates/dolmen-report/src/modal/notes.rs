@@ -92,6 +92,10 @@ messages! {
             en: "Left out, since low orders alone show it and it is damped far above the modes: {blends}: several modes that this record does not tell apart; a longer record or more sensors may.",
             ko: "{blends}: 낮은 차수에서만 나타나고 감쇠비가 다른 모드보다 훨씬 크므로 제외하였다. 이 기록으로는 구별되지 않는 여러 모드가 합쳐진 것이며, 기록이 더 길거나 센서가 더 많으면 구별될 수 있다.",
         },
+        InValleys { blends: Vec<Sentence> } => {
+            en: "Left out, since the spectrum has a valley there between two peaks: {blends}: two modes in one. More block rows (block_rows) or more sensors may tell them apart.",
+            ko: "{blends}: 스펙트럼의 두 봉우리 사이 골에 있으므로 제외하였다. 두 모드가 하나로 합쳐진 것이며, block_rows를 늘리거나 센서를 더하면 구별될 수 있다.",
+        },
         Blend { frequency: Quantity, damping: Quantity } => {
             en: "{frequency} (damping {damping})",
             ko: "{frequency}(감쇠비 {damping})",
@@ -252,6 +256,9 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         Note::FilteredAbove { asked_hz, passed_hz } => Notes::FilteredAbove {
             passed: hertz(*passed_hz),
             asked: hertz(*asked_hz),
+        },
+        Note::InValleys { blends } => Notes::InValleys {
+            blends: blends.iter().map(blend_words).collect(),
         },
         Note::Blends { blends } => Notes::Blends {
             blends: blends.iter().map(blend_words).collect(),

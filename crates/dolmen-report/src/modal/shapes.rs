@@ -35,8 +35,8 @@ messages! {
             ko: "MAC 1은 이 센서에서 같은 형상, 0은 공통 성분이 없음을 뜻하며, 0.5를 넘는 두 모드는 이 센서로는 구별하기 어렵다. 성분이 한 직선에 놓이면(MPC 1) 감쇠가 작은 구조물의 모드처럼 동위상 또는 역위상으로 움직이는 것이고, 흩어지면 가까운 모드, 잡음 또는 서로 다른 시계의 영향이다.",
         },
         Moving => {
-            en: "The same, moving: each mode at the same pace, twelve modes at most.",
-            ko: "움직이는 모드형상(최대 12개, 모드마다 같은 속도).",
+            en: "The same as lines between the sensors, enlarged; twelve modes at most. In a browser they move.",
+            ko: "센서를 이은 모드형상(과장, 최대 12개). 웹브라우저에서는 움직인다.",
         },
         MovingMeaning => {
             en: "Grey: at rest. Lines only join sensors; between them nothing was measured.",

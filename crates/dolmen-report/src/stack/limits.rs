@@ -35,11 +35,11 @@ messages! {
         },
         NotPlanarOne => {
             en: "One part rests on joints of different planes or leans on stones beside it, so it has no row here: only the limit analysis judges it.",
-            ko: "부재 1개는 서로 다른 평면의 접합면 위에 놓이거나 옆의 부재에 기대어 있어 한계해석으로만 판정한다.",
+            ko: "부재 묶음 1곳은 서로 다른 평면의 접합면 위에 놓이거나 옆의 부재에 기대어 있어 한계해석으로만 판정한다.",
         },
         NotPlanar { parts: usize } => {
-            en: "{parts} parts rest on joints of different planes or lean on stones beside them, so they have no row here: only the limit analysis judges them.",
-            ko: "부재 {parts}개는 서로 다른 평면의 접합면 위에 놓이거나 옆의 부재에 기대어 있어 한계해석으로만 판정한다.",
+            en: "{parts} groups of stones rest on joints of different planes or lean on stones beside them, so they have no row here: only the limit analysis judges them.",
+            ko: "부재 묶음 {parts}곳은 서로 다른 평면의 접합면 위에 놓이거나 옆의 부재에 기대어 있어 한계해석으로만 판정한다.",
         },
     }
 }

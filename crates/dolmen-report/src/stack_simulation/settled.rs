@@ -50,17 +50,17 @@ messages! {
         },
         Lost { length: Quantity } => {
             en: "the run could not be used from {length} on: take the other law, or half the step.",
-            ko: "{length} 이후의 해석 결과는 쓸 수 없다. 다른 접촉 법칙이나 절반의 시간 간격을 쓴다.",
+            ko: "{length} 이후의 해석 결과는 쓸 수 없다. 다른 접촉 모델이나 절반의 시간 간격을 쓴다.",
         },
         UnderSprings { motion: String, ending: Sentence } => { en: "Under {motion}, with springs between the stones {ending}", ko: "{motion}에서 접촉 스프링 해석: {ending}" },
         UnderRigid { motion: String, ending: Sentence } => { en: "Under {motion}, with rigid stones {ending}", ko: "{motion}에서 강체 접촉 해석: {ending}" },
         Same { block: String, distance: Quantity } => {
             en: "Both laws agree: the two places of rest of each stone are at most {distance} apart ('{block}').",
-            ko: "두 접촉 법칙의 결과가 같다. 돌마다 두 안착 위치의 차이는 최대 {distance}(‘{block}’)이다.",
+            ko: "두 접촉 모델의 판정이 같다. 돌마다 두 안착 위치의 차이는 최대 {distance}(‘{block}’)이다.",
         },
         Differ { block: String, distance: Quantity } => {
             en: "The two laws differ: '{block}' ends {distance} apart. Where it comes to rest is not certain: draw it closer to where it lies.",
-            ko: "두 접촉 법칙의 결과가 다르다. ‘{block}’의 두 위치가 {distance} 떨어져 있어 안착 위치가 확실하지 않다. 실제 놓인 자리에 더 가깝게 입력한다.",
+            ko: "두 접촉 모델의 결과가 다르다. ‘{block}’의 두 위치가 {distance} 떨어져 있어 안착 위치가 확실하지 않다. 실제 놓인 자리에 더 가깝게 입력한다.",
         },
         Margin { at: Quantity } => {
             en: "Where they lie the stones begin to move at {at} horizontal, by a limit analysis of their contacts.",
@@ -78,10 +78,10 @@ messages! {
             en: "How far the stones are from motion where they lie is not known: the limit analysis of their contacts gave no answer.",
             ko: "놓인 상태에서 움직이기까지의 여유를 알 수 없다. 접촉의 한계해석이 답을 주지 못하였다.",
         },
-        OneLaw => { en: "Only one law gave a result: the other may differ.", ko: "한 접촉 법칙의 결과만 있으며 다른 법칙의 결과와 다를 수 있다." },
+        OneLaw => { en: "Only one law gave a result: the other may differ.", ko: "한 접촉 모델의 결과만 있으며 다른 모델의 결과와 다를 수 있다." },
         Scale => {
             en: "stable: by both laws all stones come to rest in their places and begin to move there from 0.02 g on · marginal: below 0.02 g · unstable: by both some leave their places, wherever they come to rest, or a stone is only balanced · unknown: the laws differ, or a run has no end. An earthquake is not in this word.",
-            ko: "안정: 두 접촉 법칙 모두에서 모든 돌이 제자리에 안착하고 0.02 g 이상에서 움직이기 시작함 · 여유 부족: 0.02 g 미만에서 움직이기 시작함 · 불안정: 모두에서 일부가 자리를 벗어나거나(멈춘 위치와 무관) 균형만 잡은 돌이 있음 · 판정 불가: 두 법칙의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
+            ko: "안정: 두 접촉 모델 모두에서 모든 돌이 제자리에 안착하고 0.02 g 이상에서 움직이기 시작함 · 여유 부족: 0.02 g 미만에서 움직이기 시작함 · 불안정: 모두에서 일부가 자리를 벗어나거나(멈춘 위치와 무관) 균형만 잡은 돌이 있음 · 판정 불가: 두 모델의 결과가 다르거나 해석이 끝나지 않음. 이 판정에 지진은 포함되지 않는다.",
         },
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         LeftOut { law: Sentence, why: String } => {
@@ -101,7 +101,7 @@ messages! {
         },
         Caption => { en: "How far each stone goes to rest.", ko: "돌별 안착 이동량." },
         Stone => { en: "stone", ko: "돌" },
-        Law => { en: "law", ko: "접촉 법칙" },
+        Law => { en: "law", ko: "접촉 모델" },
         Moved => { en: "moved", ko: "이동" },
         Dropped => { en: "downwards", ko: "아래로" },
         Turned => { en: "turned", ko: "회전" },

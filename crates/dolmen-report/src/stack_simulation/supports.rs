@@ -51,11 +51,11 @@ messages! {
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         Limit { factor: Quantity, length: Quantity } => {
             en: "Limit analysis of the shape as it moves finds no balance beyond {factor} times that ({length}).",
-            ko: "움직이는 형상의 극한 해석에서는 그 {factor}배({length})를 넘으면 평형이 없다.",
+            ko: "움직이는 형상의 한계해석에서는 그 {factor}배({length})를 넘으면 평형이 없다.",
         },
         LimitStands { factor: Quantity, length: Quantity } => {
             en: "Limit analysis of the shape as it moves still finds balance at {factor} times that ({length}).",
-            ko: "움직이는 형상의 극한 해석에서는 그 {factor}배({length})에서도 평형이 있다.",
+            ko: "움직이는 형상의 한계해석에서는 그 {factor}배({length})에서도 평형이 있다.",
         },
         Apart { share: Quantity, law: Sentence } => {
             en: "That differs by {share} from the run with {law}: stones slide or come to touch anew, or soft joints let hinges move inwards. Take the least.",
@@ -81,7 +81,7 @@ messages! {
         Down => { en: "down at", ko: "떨어짐" },
         OverGiven => { en: "of the movement given", ko: "주어진 변위에 대한 배율" },
         Took => { en: "time", ko: "시간" },
-        LimitAnalysis => { en: "limit analysis", ko: "극한 해석" },
+        LimitAnalysis => { en: "limit analysis", ko: "한계해석" },
         Figure => { en: "The stone that moves most, while the supports move.", ko: "지점이 움직이는 동안 가장 크게 움직이는 부재." },
         FigureMeaning => {
             en: "It follows the supports until no forces balance the weight, and then moves by itself.",

@@ -7,7 +7,7 @@ use dolmen::assess::Reached;
 use dolmen::numeric::clopper_pearson;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{
-    ALLOWED_DRIFT, CapacityOf, LevelRow, ScanVerdict, StateFragility, StudyAnswer, StudyKind, YEARS,
+    ALLOWED_DRIFT, AllowedDrift, CapacityOf, LevelRow, ScanVerdict, StudyAnswer, StudyKind, YEARS,
 };
 use std::collections::BTreeSet;
 
@@ -70,6 +70,30 @@ messages! {
         DriftWithin { scans: Sentence, limit: Quantity, largest: Quantity } => {
             en: "None of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), up to {largest}.",
             ko: "{scans} 모두 {largest}까지 파일에서 정한 허용 층간변위 {limit}([limits]) 이내이다.",
+        },
+        LeansBeyond { leans: usize, scans: Sentence, limit: Quantity, most: Quantity } => {
+            en: "{leans} of {scans} lean beyond the allowable {limit} of a storey that the file sets ([limits]) without any shaking, by up to {most}: the lean as surveyed, and what the weight adds to it. They count as having reached it without shaking (p₀).",
+            ko: "{scans} 중 {leans}건은 조사한 기울기와 자중에 의한 증가분만으로 지진 없이 이미 파일에서 정한 허용 층간변위 {limit}([limits])을(를) 넘으며, 최대 {most}이다. 지진이 없을 때 도달한 것(p₀)으로 센다.",
+        },
+        LeansOrFalls { both: usize, scans: Sentence, limit: Quantity, leans: usize, most: Quantity, falls: usize } => {
+            en: "{both} of {scans} are beyond the allowable {limit} of a storey that the file sets ([limits]) without any shaking: {leans} lean by up to {most}, the lean as surveyed and what the weight adds to it, and {falls} fall. They count as having reached it without shaking (p₀).",
+            ko: "{scans} 중 {both}건은 지진 없이 이미 파일에서 정한 허용 층간변위 {limit}([limits])을(를) 넘는다. {leans}건은 조사한 기울기와 자중에 의한 증가분이 최대 {most}이고 {falls}건은 붕괴한다. 지진이 없을 때 도달한 것(p₀)으로 센다.",
+        },
+        OthersBeyond { beyond: usize, scans: Sentence, least: Quantity } => {
+            en: "Of the other {scans}, {beyond} drifted beyond it, the weakest at {least}.",
+            ko: "나머지 {scans} 중 {beyond}건이 이를 넘었으며, 그 최소 가속도는 {least}이다.",
+        },
+        OthersWithin { scans: Sentence, largest: Quantity } => {
+            en: "Of the other {scans} none drifted beyond it, up to {largest}.",
+            ko: "나머지 {scans}은(는) {largest}까지 모두 이내이다.",
+        },
+        DriftMixed { share: Quantity, theta: Quantity, beta: Quantity } => {
+            en: "Its fragility begins at {share} without shaking: P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β) with p₀ = {share}; θ = {theta} and β = {beta} are of the scans that are within it at rest (lognormal).",
+            ko: "그 취약도는 지진이 없을 때 이미 {share}이다. P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β), p₀ = {share}이며 θ = {theta}, β = {beta}는 정지 상태에서 허용값 이내인 증분해석에 적합한 대수정규분포의 값이다.",
+        },
+        NoFiniteRateAtRest { share: Quantity } => {
+            en: "Of the {share} that are beyond the allowed drift without shaking no annual rate is finite: its rate is of those within it at rest, its probability in 50 years of all.",
+            ko: "지진 없이 이미 허용 층간변위를 넘은 {share}에는 유한한 연간 초과율이 없다. 이 상태의 연간 초과율은 정지 상태에서 허용값 이내인 표본의 값이고 50년 확률은 전체의 값이다.",
         },
         DriftCurve { theta: Quantity, beta: Quantity } => {
             en: "By the curve fitted to them (lognormal) half exceed it at {theta}, scatter of the logarithm β = {beta}.",
@@ -199,6 +223,21 @@ fn allowed_drift(answer: &StudyAnswer) -> Vec<Finding> {
     let Some(found) = answer.allowed_drift() else {
         return Vec::new();
     };
+    let mut all = match found.at_rest {
+        0 => vec![drift_in_shaking(answer, &found)],
+        _ => drift_at_rest(answer, &found),
+    };
+    all.extend(allowed_drift_curve(answer).map(|said| Finding::key(Tone::Plain, said)));
+    if found.before > 0 {
+        let limit = Quantity::percent(found.limit, 3);
+        let before = found.before;
+        all.push(Finding::key(Tone::Warn, Found::FirstBeyond { before, limit }));
+    }
+    all
+}
+
+/// The drift of structures that are within the allowable one at rest.
+fn drift_in_shaking(answer: &StudyAnswer, found: &AllowedDrift) -> Finding {
     let scans = words::scans(found.scans);
     let limit = Quantity::percent(found.limit, 3);
     let (tone, said) = match found.least_m_s2 {
@@ -221,22 +260,64 @@ fn allowed_drift(answer: &StudyAnswer) -> Vec<Finding> {
             (Tone::Plain, said)
         }
     };
-    let said: Sentence = match found.lean > 0.0 {
+    Finding::key(tone, with_lean(said, found))
+}
+
+/// The same where some lean beyond it at rest: these first, then the others.
+fn drift_at_rest(answer: &StudyAnswer, found: &AllowedDrift) -> Vec<Finding> {
+    let scans = words::scans(found.scans);
+    let (limit, most) = (
+        Quantity::percent(found.limit, 3),
+        Quantity::percent(found.at_rest_most, 3),
+    );
+    let without_shaking = found.at_rest + found.fell_alone;
+    let said = match found.fell_alone {
+        0 => Found::LeansBeyond {
+            leans: found.at_rest,
+            scans,
+            limit,
+            most,
+        },
+        falls => Found::LeansOrFalls {
+            both: without_shaking,
+            scans,
+            limit,
+            leans: found.at_rest,
+            most,
+            falls,
+        },
+    };
+    let mut all = vec![Finding::key(Tone::Bad, said)];
+    let others = found.scans - without_shaking;
+    if others == 0 {
+        return all;
+    }
+    let scans = words::scans(others);
+    let said = match found.least_m_s2 {
+        Some(least) => Found::OthersBeyond {
+            beyond: found.beyond - without_shaking,
+            scans,
+            least: g(answer, least),
+        },
+        None => Found::OthersWithin {
+            scans,
+            largest: g(answer, found.largest_m_s2),
+        },
+    };
+    all.push(Finding::key(Tone::Warn, with_lean(said, found)));
+    all
+}
+
+/// With the surveyed lean that the drifts contain.
+fn with_lean(said: Found, found: &AllowedDrift) -> Sentence {
+    match found.lean > 0.0 {
         true => Found::LeanCounted {
             drift: said.into(),
             lean: Quantity::percent(found.lean, 3),
         }
         .into(),
         false => said.into(),
-    };
-    let mut all = vec![Finding::key(tone, said)];
-    all.extend(allowed_drift_curve(answer).map(|said| Finding::key(Tone::Plain, said)));
-    if found.before > 0 {
-        let limit = Quantity::percent(found.limit, 3);
-        let before = found.before;
-        all.push(Finding::key(Tone::Warn, Found::FirstBeyond { before, limit }));
     }
-    all
 }
 
 /// The curve of the allowable drift and its risk, for a single combination.
@@ -245,15 +326,16 @@ fn allowed_drift_curve(answer: &StudyAnswer) -> Option<Sentence> {
         return None;
     };
     let own = one.states.iter().find(|own| own.state == ALLOWED_DRIFT)?;
-    let fit = own
-        .by_acceleration
-        .as_ref()
-        .ok()
-        .filter(|_| own.fell_alone == 0)?;
-    let curve = Found::DriftCurve {
-        theta: g(answer, fit.curve.theta()),
-        beta: Quantity::ratio(fit.curve.beta(), 2),
-    };
+    let fit = own.by_acceleration.as_ref().ok()?;
+    let (theta, beta) = (g(answer, fit.curve.theta()), Quantity::ratio(fit.curve.beta(), 2));
+    if own.leans_beyond > 0 {
+        let share = Quantity::percent(own.share_alone(), 2);
+        return Some(Found::DriftMixed { share, theta, beta }.into());
+    }
+    if own.fell_alone > 0 {
+        return None;
+    }
+    let curve = Found::DriftCurve { theta, beta };
     Some(match own.annual_rate().zip(own.probability_in_years()) {
         None => curve.into(),
         Some((rate, share)) => Found::DriftRisk {
@@ -302,15 +384,22 @@ fn fell_alone(answer: &StudyAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Bad, said))
 }
 
-/// Note that rates leave out scans that fall without shaking.
-pub(super) fn no_finite_rate(answer: &StudyAnswer) -> Option<Finding> {
+/// Notes that rates leave out scans that are in a state without shaking.
+pub(super) fn no_finite_rate(answer: &StudyAnswer) -> Vec<Finding> {
     let states = answer.fragilities().iter().flat_map(|one| &one.states);
-    let shares = states
-        .filter(|own| own.risk.is_some())
-        .map(StateFragility::share_alone);
-    let share = shares.fold(0.0, f64::max);
-    let share = (share > 0.0).then(|| Quantity::percent(share, 2))?;
-    Some(Finding::key(Tone::Bad, Found::NoFiniteRate { share }))
+    let (mut falls, mut leans) = (0.0_f64, 0.0_f64);
+    for own in states.filter(|own| own.risk.is_some()) {
+        let most = match own.leans_beyond {
+            0 => &mut falls,
+            _ => &mut leans,
+        };
+        *most = most.max(own.share_alone());
+    }
+    let share = |of: f64| (of > 0.0).then(|| Quantity::percent(of, 2));
+    let falls = share(falls).map(|share| Found::NoFiniteRate { share });
+    let leans = share(leans).map(|share| Found::NoFiniteRateAtRest { share });
+    let each = falls.into_iter().chain(leans);
+    each.map(|said| Finding::key(Tone::Bad, said)).collect()
 }
 
 /// Number of scans that reached the last state, and the smallest such peak: of those that stand by themselves.

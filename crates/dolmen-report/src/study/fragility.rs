@@ -59,6 +59,10 @@ messages! {
             en: "Where some fall under their own weight, “reached” counts them; p₀, their share, is the probability without shaking, and θ, β, their intervals and rates are of the scans that stand: P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β). The probability in 50 years is of all. No NRML file is written of such a study: its curves begin at 0.",
             ko: "자중으로 붕괴하는 표본이 있으면 ‘도달’에 포함한다. 그 비율 p₀가 지진이 없을 때의 확률이며, θ와 β, 신뢰구간, 연간 초과율은 서 있는 표본의 값이다. P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β). 50년 확률은 전체의 값이다. NRML 곡선은 0에서 시작하므로 이러한 연구의 NRML 파일은 쓰지 않는다.",
         },
+        OfThoseWithin => {
+            en: "Where some lean beyond the allowed drift without any shaking, “reached” counts them for it, and so does p₀; its θ, β, intervals and rate are of the scans that are within it at rest: P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β). Its probability in 50 years is of all.",
+            ko: "지진 없이 이미 허용 층간변위를 넘게 기울어진 표본이 있으면 그 상태의 ‘도달’과 p₀에 포함한다. 이 상태의 θ와 β, 신뢰구간, 연간 초과율은 정지 상태에서 허용값 이내인 표본의 값이다. P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β). 50년 확률은 전체의 값이다.",
+        },
         ShareAlone => { en: "p₀", ko: "p₀" },
         Bounds => {
             en: "Where none or all reached a state, or its scatter is below the steps of the scan: what is known with 95 % confidence, and no curve.",
@@ -97,8 +101,11 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     if shown.iter().flat_map(|one| &one.states).any(is_bounded) {
         document.note(Curves::Bounds);
     }
-    if has_alone(shown) {
+    if has_any(shown, |own| own.fell_alone) {
         document.note(Curves::OfStanding);
+    }
+    if has_any(shown, |own| own.leans_beyond) {
+        document.note(Curves::OfThoseWithin);
     }
     scatter::section(document, answer, shown);
     hazard::section(document, answer);
@@ -134,16 +141,17 @@ fn motions(found: &[CombinationFragility]) -> Sentence {
     }
 }
 
-/// Whether some structures fell without shaking.
-fn has_alone(shown: &[CombinationFragility]) -> bool {
-    shown
-        .iter()
-        .flat_map(|one| &one.states)
-        .any(|own| own.fell_alone > 0)
+/// Whether a number of scans is above 0 in some state.
+fn has_any(shown: &[CombinationFragility], count: fn(&StateFragility) -> usize) -> bool {
+    let mut states = shown.iter().flat_map(|one| &one.states);
+    states.any(|own| count(own) > 0)
 }
 
 fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
-    let (has_risk, has_alone) = (answer.hazard.is_some(), has_alone(shown));
+    let (has_risk, has_alone) = (
+        answer.hazard.is_some(),
+        has_any(shown, StateFragility::without_shaking),
+    );
     let in_g = unit_g(answer);
     let plain = |head: Curves| Column::numbers(head, Unit::ratio());
     let mut columns = vec![

@@ -5,6 +5,9 @@ use crate::document::{Block, Document};
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{CombinationFragility, CrossingSide, StateFragility, StudyAnswer};
 
+/// Number of samples that is advised. Our choice: their standard deviation is then known to a factor of 1.5 (95 %).
+const SAMPLES_ADVISED: usize = 20;
+
 messages! {
     /// Scatter and crossings.
     pub(crate) enum Scatter in "study.scatter" {
@@ -23,6 +26,14 @@ messages! {
         SamplesNotIn { state: Sentence, samples: usize } => {
             en: "{state}: the intervals are of the choice of motions alone. What {samples} samples of the structure leave open is not in them, as β cannot be split: take the medians as less certain, and set samples to 20 or more.",
             ko: "{state}: 구간은 입력지진의 선택만 반영한다. β를 나눌 수 없어 표본 {samples}개로 인한 불확실성은 포함하지 않으므로 중앙값의 신뢰도는 더 낮다. samples를 20 이상으로 한다.",
+        },
+        NotSplitOf { state: Sentence, samples: usize } => {
+            en: "{state}: the intervals are of the choice of motions alone. What {samples} samples of the structure leave open is not in them, as β cannot be split: take the medians as less certain, and scan from smaller to larger sizes in finer steps, so that each sample has a curve of its own.",
+            ko: "{state}: 구간은 입력지진의 선택만 반영한다. β를 나눌 수 없어 표본 {samples}개로 인한 불확실성은 포함하지 않으므로 중앙값의 신뢰도는 더 낮다. 표본마다 곡선을 구할 수 있도록 더 작은 크기부터 더 큰 크기까지 더 촘촘한 간격으로 해석한다.",
+        },
+        MoreSamples { state: Sentence, samples: usize, lower: Quantity, upper: Quantity } => {
+            en: "{state}: {samples} samples of the structure leave its median at {lower} to {upper} (95 %), and more motions do not help: draw more samples.",
+            ko: "{state}: 구조물 표본 {samples}개로는 중앙값이 {lower}–{upper}(95 %)까지만 정해지며 입력지진을 늘려도 나아지지 않는다. samples를 늘린다.",
         },
         FewSamples { state: Sentence, samples: usize, lower: Quantity, upper: Quantity } => {
             en: "{state}: {samples} samples of the structure leave its median at {lower} to {upper} (95 %), and more motions do not help: set samples to 20 or more.",
@@ -84,16 +95,29 @@ pub(super) fn few_samples(answer: &StudyAnswer) -> Vec<Scatter> {
         let fit = own.by_acceleration.as_ref().ok()?;
         let state = of_case(answer, state(answer, own.state), one.job);
         let Some(of) = fit.of_samples else {
-            return Some(Scatter::SamplesNotIn { state, samples });
+            return Some(match samples < SAMPLES_ADVISED {
+                true => Scatter::SamplesNotIn { state, samples },
+                false => Scatter::NotSplitOf { state, samples },
+            });
         };
         let of_motions = fit.ln_theta_error_of_motions();
         let is_few = fit.ln_theta_error > 2f64.sqrt() * of_motions && own.motions_enough().is_none();
         let interval = fit.theta_interval(CONFIDENCE).ok().filter(|_| is_few)?;
-        Some(Scatter::FewSamples {
-            state,
-            samples: of.samples,
-            lower: g(answer, interval.lower),
-            upper: g(answer, interval.upper),
+        let (lower, upper) = (g(answer, interval.lower), g(answer, interval.upper));
+        let with_curve = of.samples;
+        Some(match samples < SAMPLES_ADVISED {
+            true => Scatter::FewSamples {
+                state,
+                samples: with_curve,
+                lower,
+                upper,
+            },
+            false => Scatter::MoreSamples {
+                state,
+                samples: with_curve,
+                lower,
+                upper,
+            },
         })
     });
     each.collect()

@@ -67,13 +67,20 @@ pub(crate) fn findings(tunings: &[&TuneAnswer], together: &[&TogetherAnswer]) ->
     if rooms.any(RoomCheck::is_unjudged) || others.any(RoomCheck::is_unjudged) {
         let alone = tunings.iter().map(|answer| answer.load);
         let mut loads = alone.chain(together.iter().map(|answer| answer.load));
-        let said = match loads.any(|load| load == TuneLoad::Gusts) {
+        let rooms = tunings.iter().map(|answer| &answer.room);
+        let mut rooms = rooms.chain(together.iter().map(|answer| &answer.room));
+        let said = match loads.any(|load| load == TuneLoad::Gusts) || rooms.any(|room| room.has_wind) {
             true => Finding::key(Tone::Plain, Found::RoomInWind),
             false => Finding::key(Tone::Unknown, Found::RoomUnjudged),
         };
         all.push(said);
     }
     all
+}
+
+/// Whether a finding only points at a check, which a report has.
+pub(crate) fn points_at_check(finding: &Finding) -> bool {
+    finding.sentence == Sentence::from(Found::RoomInWind)
 }
 
 fn of_one(answer: &TuneAnswer) -> Vec<Finding> {

@@ -8,7 +8,7 @@ mod together;
 mod tunings;
 mod words;
 
-pub(crate) use findings::findings;
+pub(crate) use findings::{findings, points_at_check};
 
 use crate::document::{Document, Finding, TextStyle, document_text, findings_text, heading_text};
 use dolmen_words::{Sentence, Template, messages};

@@ -10,7 +10,7 @@ use dolmen::monitoring::ChangeForm;
 use dolmen_project::Severity;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
-use dolmen_work::inspected::{InspectionOf, WatchedDamage};
+use dolmen_work::inspected::{Inspected, InspectionOf, WatchedDamage};
 use dolmen_work::watched::WatchAnswer;
 
 /// Number of damages that a sentence lists.
@@ -129,6 +129,18 @@ fn with_half(metres: f64, half_m: f64) -> Quantity {
         sd_si: Some(1000.0 * half_m),
         ..size(metres)
     }
+}
+
+/// Findings on the damages that have reached their limits.
+pub(crate) fn beyond_limits(found: &Inspected) -> Vec<Finding> {
+    let date = |inspection: usize| {
+        let of = found.inspections.get(inspection);
+        of.map_or_else(String::new, |of| of.survey.clone())
+    };
+    let Some(last) = found.last() else {
+        return Vec::new();
+    };
+    found.beyond().filter_map(|of| beyond(of, last, &date)).collect()
 }
 
 /// The findings: damages at their limit, growing, new, and their number.

@@ -25,7 +25,7 @@ mod tilts;
 mod unsearched;
 
 pub(crate) use findings::findings;
-pub(crate) use inspected::damage_name;
+pub(crate) use inspected::{beyond_limits, damage_name};
 pub(crate) use numbers::label;
 
 use crate::document::{Block, Document, Figure};

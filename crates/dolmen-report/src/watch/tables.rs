@@ -41,14 +41,18 @@ messages! {
         Change => { en: "change", ko: "변화" },
         Half => { en: "± 95 %", ko: "± 95 %" },
         Alarms => { en: "Confirmed alarms.", ko: "확정된 경보." },
+        AlarmsMeaning => {
+            en: "Values and limits in standard deviations of the mode.",
+            ko: "값과 한계는 그 모드의 표준편차 단위이다.",
+        },
         Confirmed => { en: "confirmed", ko: "확정" },
         Since => { en: "since", ko: "시작" },
         By => { en: "by", ko: "근거" },
         Average => { en: "moving average", ko: "이동평균" },
         ThreeOfFive => { en: "three of five", ko: "5회 중 3회" },
-        Answered => { en: "answered", ko: "조치 여부" },
-        Yes => { en: "yes", ko: "조치" },
-        No => { en: "no", ko: "미조치" },
+        Answered => { en: "inspected or mended since", ko: "이후 점검·보수" },
+        Yes => { en: "yes", ko: "있음" },
+        No => { en: "no", ko: "없음" },
         Value => { en: "value", ko: "값" },
         Limit => { en: "limit", ko: "한계" },
         Text { text: String } => { en: "{text}", ko: "{text}" },
@@ -194,7 +198,7 @@ fn alarms(answer: &WatchAnswer) -> Table {
         ]
     });
     Table {
-        caption: vec![Listed::Alarms.into()],
+        caption: vec![Listed::Alarms.into(), Listed::AlarmsMeaning.into()],
         columns: vec![
             Column::words(Listed::Mode),
             Column::words(Listed::Confirmed),

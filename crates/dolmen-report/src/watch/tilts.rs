@@ -36,6 +36,10 @@ messages! {
             en: "With the repair of {date} the tilt along {direction} changed by {by} ± {half} mm/m.",
             ko: "{date} 보수 전후로 {direction} 방향 기울기가 {by} ± {half} mm/m 변하였다.",
         },
+        TiltSame { date: String, direction: String, by: Quantity, half: Quantity } => {
+            en: "With the repair of {date} the tilt along {direction} did not change beyond chance ({by} ± {half} mm/m).",
+            ko: "{date} 보수 전후로 {direction} 방향 기울기는 유의하게 변하지 않았다({by} ± {half} mm/m).",
+        },
         TiltJumped { direction: String, by: Quantity, half: Quantity, after: String, before: String, cause: Sentence } => {
             en: "The tilt along {direction} jumped by {by} ± {half} mm/m between {after} and {before}{cause}: look at the structure and at the marks.",
             ko: "{direction} 방향 기울기가 {after}~{before} 사이에 {by} ± {half} mm/m 급변하였다{cause}. 구조물과 측정 기준점을 점검한다.",
@@ -317,11 +321,21 @@ pub(super) fn mark_apart(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Find
 pub(super) fn worked(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     let each = trend.works.iter().filter_map(|of| {
         let (_, work) = answer.works.get(of.work)?;
-        let said = Tilted::TiltWorked {
-            date: work.date.clone(),
-            direction: direction_of(answer, trend),
-            by: slope(of.size, 3),
-            half: slope(HALF_95 * of.sd, 3),
+        let (date, direction) = (work.date.clone(), direction_of(answer, trend));
+        let (by, half) = (slope(of.size, 3), slope(HALF_95 * of.sd, 3));
+        let said = match of.size.abs() > HALF_95 * of.sd {
+            true => Tilted::TiltWorked {
+                date,
+                direction,
+                by,
+                half,
+            },
+            false => Tilted::TiltSame {
+                date,
+                direction,
+                by,
+                half,
+            },
         };
         Some(Finding::new(Tone::Plain, said))
     });

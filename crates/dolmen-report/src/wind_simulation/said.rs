@@ -35,7 +35,7 @@ messages! {
             ko: "허용값 {limit} 이내이다. 시간이력 {histories}개 중 {beyond}개가 허용값을 넘는다.",
         },
         NoLimit => {
-            en: "What people bear is not judged: write wind.acceleration_limit to have it judged.",
+            en: "What people bear is not judged. Write wind.acceleration_limit to have it judged.",
             ko: "거주성은 판정하지 않았다. wind.acceleration_limit를 입력하면 판정한다.",
         },
         Drift { ratio: Quantity, floor: Sentence, axis: Sentence, mean_square: Quantity } => {

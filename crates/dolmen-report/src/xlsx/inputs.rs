@@ -2,12 +2,12 @@
 
 use super::headed::{Headed, verbatim};
 use super::words::Workbook;
-use crate::check::title;
+use crate::check::{title, version};
 use crate::document::{Cell, Column, Table};
 use crate::html::words::{evidence_word, input_words, set, unit_text};
+use crate::other_inputs::{other_inputs, other_inputs_of};
 use crate::surveys_given::{Given, surveys_table};
-use dolmen_project::Quantity as Input;
-use dolmen_project::Structure;
+use dolmen_project::{Project, Quantity as Input};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
@@ -17,18 +17,25 @@ const DIGITS: usize = 6;
 
 /// The inputs, then the different ones of each variant, then the surveys.
 pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Headed> {
-    let headed = |caption: Sentence, inputs: &[&Input]| Headed {
+    let headed = |caption: Sentence, project: &Project, inputs: &[&Input]| Headed {
         head: Workbook::Inputs {}.into(),
         warnings: Vec::new(),
-        table: inputs_table(caption, &answer.project.structure, inputs),
+        table: inputs_table(caption, project, inputs),
     };
-    let mut all = vec![headed(Workbook::InputsCaption {}.into(), own)];
+    let others = |table: Table| Headed {
+        head: Workbook::Inputs {}.into(),
+        warnings: Vec::new(),
+        table,
+    };
+    let mut all = vec![headed(Workbook::InputsCaption {}.into(), &answer.project, own)];
+    all.extend(other_inputs(answer).map(others));
     for variant in answer.variants() {
         let inputs: Vec<&Input> = variant.own_inputs.iter().collect();
-        let variant = title(variant);
-        let mut of = headed(Workbook::InputsOf(variant).into(), &inputs);
+        let own = version(&answer.project, variant);
+        let mut of = headed(Workbook::InputsOf(title(variant)).into(), own, &inputs);
         beside_given(&mut of.table, &inputs, &answer.project.structure_inputs());
         all.push(of);
+        all.extend(other_inputs_of(answer, variant).map(others));
     }
     all.extend(
         surveys_table(&answer.project, answer.surveys()).map(|table| Headed {
@@ -54,7 +61,7 @@ fn beside_given(table: &mut Table, inputs: &[&Input], given: &[&Input]) {
     }
 }
 
-fn inputs_table(caption: Sentence, structure: &Structure, inputs: &[&Input]) -> Table {
+fn inputs_table(caption: Sentence, project: &Project, inputs: &[&Input]) -> Table {
     Table {
         caption: vec![caption],
         columns: vec![
@@ -66,14 +73,14 @@ fn inputs_table(caption: Sentence, structure: &Structure, inputs: &[&Input]) -> 
             Column::numbers(Workbook::Scatter {}, Unit::percent()),
             Column::words(Workbook::Note {}),
         ],
-        rows: inputs.iter().map(|input| row(structure, input)).collect(),
+        rows: inputs.iter().map(|input| row(project, input)).collect(),
     }
 }
 
-fn row(structure: &Structure, input: &Input) -> Vec<Cell> {
+fn row(project: &Project, input: &Input) -> Vec<Cell> {
     let both = |text: Both| Cell::words(Workbook::Verbatim(text));
     vec![
-        both(Both::of(|language| input_words(structure, &input.path, language))),
+        both(Both::of(|language| input_words(project, &input.path, language))),
         both(Both::of(|language| evidence_word(input.source, language))),
         verbatim(&set(&input.written)),
         verbatim(&unit_text(input.unit)),

@@ -3,6 +3,7 @@
 use super::headed::{Headed, verbatim};
 use super::inputs::inputs_tables;
 use super::words::Workbook;
+use crate::check::is_of_variant;
 use crate::document::{Answered, Block, Cell, Column, Framed, Photo, Signatory, Table};
 use crate::engineer::front;
 use crate::whole::whole_document;
@@ -24,14 +25,19 @@ pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
         }));
     }
     let mut warnings = Vec::new();
+    let mut variant = None;
     for block in whole_document(answer).blocks {
         let table = match block {
             Block::Heading(of) => {
+                variant = Some(of.clone()).filter(is_of_variant);
                 (head, warnings) = (of, Vec::new());
                 continue;
             }
             Block::Subheading(of) => {
-                head = of;
+                head = match variant.clone() {
+                    Some(variant) => Workbook::PartOf { variant, part: of }.into(),
+                    None => of,
+                };
                 continue;
             }
             Block::Warning(of) => {

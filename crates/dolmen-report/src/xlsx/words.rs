@@ -1,5 +1,6 @@
 //! Words of a workbook in addition to those of the document.
 
+use dolmen_words::Sentence;
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
@@ -32,6 +33,7 @@ messages! {
         Note {} => { en: "Note", ko: "비고" },
         Quantity {} => { en: "Quantity", ko: "항목" },
         Deviation(head: Both) => { en: "{head}: standard deviation", ko: "{head}: 표준편차" },
+        PartOf { variant: Sentence, part: Sentence } => { en: "{variant}: {part}", ko: "{variant}: {part}" },
         Verbatim(text: Both) => { en: "{text}", ko: "{text}" },
     }
 }

@@ -49,6 +49,7 @@ korean_of! {
         DynamicsError::Integral { intervals } => "진동수 적분에 구간이 {intervals}개보다 많이 필요하다. relative_tolerance나 intervals_most를 키우거나 모드의 감쇠를 키운다";
     }
     handed on DynamicsError::Building(why) => why;
+    handed on DynamicsError::Columns(why) => why;
     handed on DynamicsError::Structure(why) => why;
     handed on DynamicsError::Wind(why) => why;
     handed on DynamicsError::Linalg(why) => why;

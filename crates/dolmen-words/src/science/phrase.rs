@@ -90,6 +90,14 @@ const PHRASES: &[(&str, &str)] = &[
     ("between 0 and 0.05 per °C", "°C당 0과 0.05 사이의 수"),
     ("within ±0.05 per °C", "°C당 ±0.05 이내의 수"),
     ("less than π/2 to either side", "양쪽으로 π/2보다 작은 수"),
+    (
+        "less than the rotation of the fall to either side",
+        "양쪽으로 전도 회전각보다 작은 수",
+    ),
+    (
+        "finite, and so large that the columns stand",
+        "기둥이 서 있을 만큼 큰 유한한 수",
+    ),
     ("in (0, 1]", "0보다 크고 1 이하인 수"),
     (
         "0 to 1: the weaker component over the stronger",

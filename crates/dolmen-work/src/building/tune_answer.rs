@@ -93,6 +93,8 @@ pub struct RoomCheck {
     pub has_room: bool,
     /// Whether the file has a motion or a site.
     pub is_judged: bool,
+    /// Whether the file has a wind, which a check holds the rooms against.
+    pub has_wind: bool,
     /// For every row, damper with a room, and motion.
     pub strokes: Vec<RowStroke>,
     /// For every row and motion.

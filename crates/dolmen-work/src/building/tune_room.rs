@@ -72,6 +72,7 @@ pub(crate) fn room_check(
     Ok(RoomCheck {
         has_room,
         is_judged,
+        has_wind: project.loads.wind().is_some(),
         strokes,
         runs,
     })

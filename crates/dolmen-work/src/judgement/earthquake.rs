@@ -73,6 +73,8 @@ pub enum DecidedBy {
     LeansFurther,
     /// No result: the accidental torsion that is asked for could not be included.
     WithoutTorsion,
+    /// No result: columns that alone support it lift off, and the springs of their beds are not valid beyond.
+    FeetLiftOff,
     /// No result: it does not stand without shaking.
     DoesNotStand,
     /// No result: the run was stopped, or ended without a verdict.
@@ -246,6 +248,7 @@ impl DecidedBy {
             DecidedBy::LoosePost => "loose_post",
             DecidedBy::Contradicted => "contradicted",
             DecidedBy::NoResponse => "no_response",
+            DecidedBy::FeetLiftOff => "feet_lift_off",
             DecidedBy::DoesNotStand => "does_not_stand",
             DecidedBy::Unfinished => "unfinished",
         }
@@ -298,6 +301,7 @@ fn of_none(of: &NotCompared) -> EarthquakeFinding {
     let decided_by = match of.why {
         WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
         WhyNotCompared::LoosePost => DecidedBy::LoosePost,
+        WhyNotCompared::FeetLiftOff => DecidedBy::FeetLiftOff,
         WhyNotCompared::NoSpectrum => DecidedBy::NoResponse,
         WhyNotCompared::Falls | WhyNotCompared::FallsSlipping => DecidedBy::DoesNotStand,
     };

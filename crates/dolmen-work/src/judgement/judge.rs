@@ -6,13 +6,14 @@ use super::evidence::Evidence;
 use super::exit::{Verb, exit_status};
 use super::in_doubt::FromRecords;
 use super::runs::{RunFindings, of_row_run, of_simulation, of_stack};
-use super::tilt_limit::is_tilt_beyond;
+use super::tilt_limit::{is_tilt_beyond, tilt_against_limit};
 use super::version::{AfterMotion, VersionJudgement, leaning, version};
 use super::weight::Weight;
 use super::wind::of_wind_histories;
 use crate::answer::{Answer, CheckAnswer, CompareAnswer};
 use crate::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::frame::FrameBeside;
+use crate::inspected::inspected_beyond;
 use crate::inventory::InventoryLine;
 use crate::lowest_of_records::lowest_of_records;
 use crate::simulation::{AfterFirst, SimulateAnswer, Simulation};
@@ -21,6 +22,7 @@ use crate::survey_doubts::survey_doubts;
 use crate::watched::WatchAnswer;
 use dolmen::assess::ModeChange;
 use dolmen::damper::Choice;
+use dolmen_project::Project;
 
 /// The judgement of one project.
 #[derive(Clone, Debug, PartialEq)]
@@ -98,10 +100,14 @@ impl Alarming {
         })
     }
 
-    /// Of a project without a model: its surveyed tilt alone. A version of a model counts it in its own colour.
+    /// Of a project without a model: its surveyed tilt and damage. A version of a model counts them in its own colour.
     fn without_model(checked: &CheckAnswer) -> Self {
         Alarming {
             is_tilt_beyond: checked.state.is_none() && is_tilt_beyond(&checked.project),
+            cracks_beyond: match checked.state {
+                None => damage_beyond(&checked.project),
+                Some(_) => 0,
+            },
             ..Alarming::default()
         }
     }
@@ -355,6 +361,11 @@ fn worse_after_first(of: &SimulateAnswer, found: &[EarthquakeFinding]) -> Vec<Ea
     }
 }
 
+/// Damages of inspections beyond their limits.
+fn damage_beyond(project: &Project) -> usize {
+    inspected_beyond(project).map_or(0, |found| found.beyond().count())
+}
+
 /// The versions of a check, each with its weight and its demand.
 fn of_check(checked: &CheckAnswer, found: &FromRecords) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
@@ -362,6 +373,9 @@ fn of_check(checked: &CheckAnswer, found: &FromRecords) -> Vec<VersionJudgement>
         let evidence = Evidence::with_records(&checked.project, &state.check, found);
         let mut version = version((None, &*checked.project), state, evidence);
         version.tilt_beyond_limit = is_tilt_beyond(&checked.project);
+        let against = tilt_against_limit(&checked.project);
+        version.tilt_near_limit = !version.tilt_beyond_limit && against.is_some_and(|of| of.is_near());
+        version.damage_beyond_limit = damage_beyond(&checked.project);
         version
     });
     let own = |name: &str| checked.project.variants.iter().find(|own| own.name == name);
@@ -521,6 +535,7 @@ mod tests {
                     parts: vec![drift, part(Limited::Room, stroke_m, Some(0.6))],
                     falls: false,
                 }],
+                ..RoomCheck::default()
             };
             let found = of_rows(&room, |row| row == 0);
             assert_eq!(Earthquake::worst(&found), word, "{found:?}");

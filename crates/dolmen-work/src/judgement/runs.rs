@@ -239,6 +239,12 @@ pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
     };
     let motion = run.motion.motion.name();
     let mut found = of_storeys(ending, &run.parts(), motion);
+    if let Some(storey) = run.lifts_off_unfollowed() {
+        found.push(EarthquakeFinding {
+            part: run.storeys.get(storey).cloned(),
+            ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::FeetLiftOff, Some(motion))
+        });
+    }
     found.extend(run.without_stiffness.iter().map(|direction| EarthquakeFinding {
         part: Some(direction.clone()),
         ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::StiffnessUnknown, Some(motion))

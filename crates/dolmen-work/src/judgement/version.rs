@@ -46,6 +46,10 @@ pub struct VersionJudgement {
     pub tilt_left_out: Option<TiltLeftOut>,
     /// Whether the latest measured tilt is beyond the limit of the file.
     pub tilt_beyond_limit: bool,
+    /// Whether it is near that limit, and below it.
+    pub tilt_near_limit: bool,
+    /// Damages of inspections beyond their limits.
+    pub damage_beyond_limit: usize,
     /// The measured tilt in the model, if there is one.
     pub leans: Option<Leaning>,
     /// The earlier motion, if the earthquake is the second of two.
@@ -114,6 +118,8 @@ impl VersionJudgement {
             demand_source: None,
             tilt_left_out: None,
             tilt_beyond_limit: false,
+            tilt_near_limit: false,
+            damage_beyond_limit: 0,
             leans: None,
             after: None,
             solution: None,
@@ -142,7 +148,9 @@ impl VersionJudgement {
             self.wind_word().colour(),
             self.evidence.colour(),
         ];
-        let beyond = self.tilt_beyond_limit.then_some(Colour::Red);
+        let is_beyond = self.tilt_beyond_limit || self.damage_beyond_limit > 0;
+        let near = self.tilt_near_limit.then_some(Colour::Amber);
+        let beyond = is_beyond.then_some(Colour::Red).or(near);
         let left_out = self.tilt_left_out.is_some() || self.basis.is_unsafe();
         let unchecked = (!self.basis.unchecked_stiffness_from.is_empty()).then_some(Colour::Amber);
         let left_out = left_out.then_some(Colour::Amber);

@@ -2,7 +2,7 @@
 
 use super::state_words::state_words;
 use crate::judgement::SevereDamage;
-use crate::study::{CombinationFragility, StudyAnswer};
+use crate::study::{ALLOWED_DRIFT, CombinationFragility, StudyAnswer};
 use crate::wrong::{CaseRefused, NoPlace};
 use dolmen::assess::{
     AssessError, Candidate, Factor, Fragility, FragilityBound, Hazard, Known, KnownCapacity, Place, Ranked,
@@ -274,7 +274,8 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
 
 fn states_of(found: &CombinationFragility) -> [Option<KnownCapacity>; 4] {
     let mut states = [None; 4];
-    for state in &found.states {
+    // the allowable drift of a file is no damage state
+    for state in found.states.iter().filter(|own| own.state != ALLOWED_DRIFT) {
         let of_standing = match &state.by_acceleration {
             Ok(fit) => Some(KnownCapacity {
                 fragility: fit.curve,
@@ -285,10 +286,13 @@ fn states_of(found: &CombinationFragility) -> [Option<KnownCapacity>; 4] {
             Err(AssessError::NoFragility(bound)) => of_bound(bound),
             Err(_) => None,
         };
-        states[state.state] = of_standing.map(|known| KnownCapacity {
-            falls_alone: state.share_alone(),
-            ..known
-        });
+        // the allowable drift of a file is no damage state, and lists compare those alone
+        if let Some(own) = states.get_mut(state.state) {
+            *own = of_standing.map(|known| KnownCapacity {
+                falls_alone: state.share_alone(),
+                ..known
+            });
+        }
     }
     states
 }

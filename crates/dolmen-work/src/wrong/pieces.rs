@@ -74,6 +74,14 @@ messages! {
             en: "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints, or into a variant that variants names",
             ko: "접합부 강성을 알 수 없다. `dolmen identify`로 계측 모드에 맞는 강성을 구해 joints나 variants에 있는 대안에 쓴다",
         },
+        FeetLiftOff => {
+            en: "columns without ties lift off their stones, which a run follows with one storey and one component alone: the springs of their beds are too stiff beyond",
+            ko: "결구 없는 기둥의 주각이 초석에서 들렸는데 이는 단층이고 한 성분일 때만 추적한다. 그 뒤에는 지압면의 강성보다 유연하다",
+        },
+        Irregular => {
+            en: "columns without ties rock so irregularly that shorter steps still change the largest drift",
+            ko: "결구 없는 기둥의 거동이 불규칙하여 시간 간격을 줄여도 최대 변위가 달라진다",
+        },
         NoDirectionKnown => {
             en: "the stiffness of no direction is known: `dolmen identify` finds those that frequencies allow",
             ko: "강성을 아는 방향이 없다. `dolmen identify`로 진동수에 맞는 강성을 구한다",
@@ -87,9 +95,17 @@ messages! {
             ko: "방향 \"{direction}\"의 강성을 알 수 없거나 그런 방향이 없다",
         },
         SurveyAlone => { en: "a survey holds no structure", ko: "survey에는 구조물이 없다" },
+        DrawnTooFar { input: String, drawn: String } => {
+            en: "{input} is drawn as {drawn}, with which there is no such structure: lower its cov",
+            ko: "{input}이(가) {drawn}(으)로 추출되었는데 그런 구조물은 있을 수 없다. 그 cov를 낮춘다",
+        },
         FallsAlone(load_factor: String) => {
             en: "it falls under its own weight, load factor {load_factor}",
             ko: "자중으로 쓰러진다(하중배율 {load_factor})",
+        },
+        BedCrushes => {
+            en: "a bed crushes under the weight above it alone",
+            ko: "접합면이 상부 자중만으로 압괴한다",
         },
         LeansToItsFall => {
             en: "under its own weight it leans, as surveyed, beyond what counts as fallen",
@@ -174,6 +190,18 @@ messages! {
         VerticalLeftOut => {
             en: "vertical components of the motions do not act in the runs",
             ko: "해석에 지반운동의 연직 성분을 반영하지 않았다",
+        },
+        LimitsDiffer => {
+            en: "the allowable drift of [limits] differs between the combinations, so that no scan is compared with it: write a study for each",
+            ko: "조합마다 [limits]의 허용 층간변위가 달라 허용값과 비교하지 않았다. 허용값마다 study를 따로 쓴다",
+        },
+        HazardsDiffer => {
+            en: "the hazard of the site differs between the combinations, so that there are no rates: write a study for each",
+            ko: "조합마다 부지의 재해도가 달라 초과율을 구하지 않았다. 부지 조건마다 study를 따로 쓴다",
+        },
+        DirectionLeftOut(direction: String) => {
+            en: "the stiffness of direction {direction} is not known: nothing of it is in the runs, the states and their rates",
+            ko: "{direction} 방향의 강성을 알 수 없어 해석과 손상상태, 초과율에 이 방향을 반영하지 않았다",
         },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "the runs start plumb: the tilt of survey {survey} ({tilt}) is not in them, and what leans gives way to less",

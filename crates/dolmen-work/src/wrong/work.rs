@@ -71,6 +71,10 @@ sentences! {
             en: "the load factor of a sample is not a number: it must not be counted as standing",
             ko: "표본의 하중배율이 수가 아니다. 안정으로 셀 수 없다",
         },
+        ScatterCrosses { smaller, smaller_cov, larger, larger_cov } as { smaller, smaller_cov: format!("{smaller_cov:.3}"), larger, larger_cov: format!("{larger_cov:.3}") } => {
+            en: "{smaller} (cov {smaller_cov}) cannot stay below {larger} (cov {larger_cov}) with the means and the scatter of both, as it must: give both the same cov, or only the larger one",
+            ko: "{smaller}(cov {smaller_cov})은(는) {larger}(cov {larger_cov})보다 작아야 하는데 두 값의 평균과 변동으로는 그럴 수 없다. 두 값의 cov를 같게 하거나 큰 값에만 준다",
+        },
         NoSuchVariant { name, known } as { name, known: known_beside(name, known) } => {
             en: "there is no variant \"{name}\": the file has {known}",
             ko: "대안 \"{name}\"이(가) 없다. 파일에 있는 것: {known}",

@@ -1,0 +1,85 @@
+//! Findings that restrict the use of the modes of a record: free decays, machines, overtones and deviations from few blocks.
+
+use super::values::{all_hertz, hertz, percent};
+use crate::document::{Finding, Tone};
+use dolmen::numeric::student_two_sided_quantile;
+use dolmen_words::{Digits, Quantity, Unit, Values, messages};
+use dolmen_work::surveyed::RecordAnswer;
+
+messages! {
+    /// Restrictions on the use of modes.
+    pub(crate) enum Cautions in "modal.cautions" {
+        FreeDecay { explained: Quantity } => {
+            en: "THIS IS A FREE DECAY: modes that die away from the beginning of the record explain {explained} of its motion. Write method = \"era\" into records.modal: a method for ambient vibration misses modes here, and its deviations do not hold.",
+            ko: "자유감쇠 기록이다. 기록의 처음부터 줄어드는 모드가 운동의 {explained}을(를) 설명한다. records.modal에 method = \"era\"를 적는다. 상시진동에 쓰는 방법은 이런 기록에서 모드를 놓치며 그 표준편차도 맞지 않는다.",
+        },
+        FewStrongBlocks { blocks: usize, of: usize, factor: Quantity } => {
+            en: "The motion swells: these deviations stand on {blocks} equally strong blocks of time of {of}, so 95 % lie within {factor} times the deviation, not 2.",
+            ko: "진동이 한때에 몰려 있어 이 표준편차는 시간 구간 {of}개 중 세기가 같은 유효 구간 {blocks}개에 근거한다. 95 % 구간은 표준편차의 2배가 아니라 {factor}배이다.",
+        },
+        Overtones { overtones: Values, mode: Quantity } => {
+            en: "{overtones} are multiples (3 or 5) of the frequency of the mode at {mode}, which follows the size of its swings: a mode that is not linear moves at these too, so they are probably no modes of their own.",
+            ko: "{overtones}은(는) 진폭에 따라 변하는 {mode} 모드 진동수의 3배 또는 5배이다. 비선형 모드는 이런 진동수에서도 움직이므로 별개의 모드가 아닐 가능성이 크다.",
+        },
+        Hum { at: Values } => {
+            en: "The motion at {at} does not die away: hum or a machine. It is not listed among the modes.",
+            ko: "{at}의 진동은 줄어들지 않는다. 전원 잡음이나 기계 진동이므로 모드 목록에서 제외하였다.",
+        },
+    }
+}
+
+/// The findings that restrict the use of the modes of a record.
+pub(super) fn cautions(record: &RecordAnswer) -> Vec<Finding> {
+    let mut all: Vec<Finding> = few_strong_blocks(record).into_iter().collect();
+    all.extend(not_modes(record));
+    all.extend(record.analysis.free_decay.map(|explained| {
+        let explained = percent(explained, 0);
+        Finding::key(Tone::Warn, Cautions::FreeDecay { explained })
+    }));
+    all
+}
+
+/// Deviations that stand on so few equally strong blocks of time that two of them do not hold 95 %.
+fn few_strong_blocks(record: &RecordAnswer) -> Option<Finding> {
+    const FEW: usize = 6; // chosen here: 95 % then lie within 2.57 deviations
+    let settings = &record.analysis.settings;
+    let blocks = settings.time_blocks_effective;
+    let has_sd = record
+        .analysis
+        .modes
+        .modes
+        .iter()
+        .any(|mode| mode.frequency_sd_hz.is_some());
+    if !(2..=FEW).contains(&blocks) || blocks >= settings.time_blocks || !has_sd {
+        return None;
+    }
+    let factor = student_two_sided_quantile(0.05, (blocks - 1) as f64).ok()?;
+    let said = Cautions::FewStrongBlocks {
+        blocks,
+        of: settings.time_blocks,
+        factor: Quantity::new(factor, Unit::ratio(), Digits::Significant(2)),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+/// Motion of a free decay that is probably no mode: machines, and overtones of modes that are not linear.
+fn not_modes(record: &RecordAnswer) -> Vec<Finding> {
+    let Some(decay) = &record.analysis.decay else {
+        return Vec::new();
+    };
+    let at = &decay.machines_hz;
+    let hum = (!at.is_empty()).then(|| Cautions::Hum { at: all_hertz(at) });
+    let overtones = decay.modes.iter().filter_map(|mode| {
+        let own = decay.modes.iter().filter(|of| {
+            of.overtone
+                .is_some_and(|overtone| overtone.of_hz == mode.frequency_hz)
+        });
+        let own: Vec<f64> = own.map(|of| of.frequency_hz).collect();
+        (!own.is_empty()).then(|| Cautions::Overtones {
+            overtones: all_hertz(&own),
+            mode: hertz(mode.frequency_hz),
+        })
+    });
+    let said = hum.into_iter().chain(overtones);
+    said.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
