@@ -1,6 +1,6 @@
 //! Local mechanisms of a stack by Circolare 7/2019: the moving part and its capacity.
 
-use super::words::{DIGITS, direction, in_g};
+use super::words::{DIGITS, Words, direction, in_g};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::assess::demand::LocalMechanismCapacity;
 use dolmen::structure::stack::{Body, Stack};
@@ -20,8 +20,6 @@ messages! {
         },
         Towards => { en: "Towards", ko: "방향" },
         Moves => { en: "moves", ko: "움직이는 부분" },
-        Name { name: String } => { en: "{name}", ko: "{name}" },
-        NameAndMore { name: String, more: usize } => { en: "{name} and {more} more", ko: "{name} 외 {more}개" },
         Parts { parts: usize } => { en: "{parts} parts", ko: "강체 {parts}개" },
         Motion => { en: "motion", ko: "거동" },
         Turns => { en: "turns", ko: "회전" },
@@ -74,22 +72,20 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
 
 /// The moving part: its lowest stone, or the number of parts.
 fn what_moves(stack: &Stack, capacity: &LocalMechanismCapacity) -> Sentence {
-    match &capacity.mechanism.parts[..] {
-        [part] => {
-            let name = part
-                .blocks
-                .first()
-                .map_or("", |block| stack.name(Body::Block(*block)));
-            let name = name.to_owned();
-            match part.blocks.len() {
-                0 | 1 => Local::Name { name },
-                count => Local::NameAndMore {
-                    name,
-                    more: count - 1,
-                },
-            }
-        }
-        parts => Local::Parts { parts: parts.len() },
+    let [part] = &capacity.mechanism.parts[..] else {
+        let parts = capacity.mechanism.parts.len();
+        return Local::Parts { parts }.into();
+    };
+    let first = part.blocks.first();
+    let name = first
+        .map_or("", |block| stack.name(Body::Block(*block)))
+        .to_owned();
+    match part.blocks.len() {
+        0 | 1 => Words::Name { name },
+        count => Words::NameAndMore {
+            name,
+            more: count - 1,
+        },
     }
     .into()
 }

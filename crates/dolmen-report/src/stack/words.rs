@@ -15,6 +15,7 @@ messages! {
     pub(crate) enum Words in "stack.words" {
         Value { value: Quantity } => { en: "{value}", ko: "{value}" },
         Name { name: String } => { en: "{name}", ko: "{name}" },
+        NameAndMore { name: String, more: usize } => { en: "{name} and {more} more", ko: "{name} 외 {more}개" },
         Ground => { en: "the ground", ko: "지반" },
         GroundAnd { names: String } => { en: "the ground, {names}", ko: "지반, {names}" },
         Rocks { above: Sentence, direction: Sentence } => {
@@ -89,9 +90,20 @@ pub(super) fn margin(margin: Option<f64>) -> Sentence {
     margin.map_or_else(|| Sentence::of_symbol("–"), |margin| value(margin).into())
 }
 
-/// Name of a joint: that of the part below it.
+/// Stones below a joint from which on only the first is named.
+const NAMES_MANY: usize = 3;
+
+/// Name of a joint: that of the part below it; of many stones the first one and the number of others.
 pub(super) fn place(above: &str) -> Sentence {
     let name = above.replace('\'', "");
+    let all: Vec<&str> = name.split(", ").collect();
+    if let [first, more @ ..] = all.as_slice()
+        && all.len() >= NAMES_MANY
+        && *first != "the ground"
+    {
+        let (name, more) = ((*first).to_owned(), more.len());
+        return Words::NameAndMore { name, more }.into();
+    }
     match name.strip_prefix("the ground") {
         Some("") => Words::Ground.into(),
         Some(rest) => match rest.strip_prefix(", ") {

@@ -8,6 +8,7 @@ use super::rounding::{Edge, chamfer};
 use super::surface::Surface;
 use crate::structure::stack::{Solid, StackError};
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 /// Distance within which a vertex lies in a plane, m, at least. Dressed stone is not flatter.
 const TOLERANCE_M: f64 = 0.003;
@@ -28,6 +29,10 @@ const ROUNDED_LEAST: f64 = 0.004;
 /// Cosine of 10°, the largest inclination of a face whose edges are examined: these are the beds of the stone in its position. Our choice.
 const LEVEL_LEAST: f64 = 0.985;
 const PLANES_MOST: usize = 400;
+/// Cosine of 5°: two beds within this angle may touch, so two such faces side by side are one bed, or a bent one.
+const ONE_BED: f64 = 0.996_194_7;
+/// Fewest vertices of two such faces whose noise averages out, so that the bend between them is real. Our choice.
+const BENT_VERTICES_LEAST: usize = 12;
 /// A plane with more than this fraction of the hull's corners outside belongs to a re-entrant corner.
 const OUTSIDE_MOST: f64 = 0.05;
 
@@ -123,6 +128,9 @@ fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64
         (corners.iter().filter(beyond).count() as f64) <= OUTSIDE_MOST * corners.len() as f64
     };
     let faces: Vec<Region> = found.into_iter().filter(outer).collect();
+    if is_torn(surface, &faces) {
+        return None;
+    }
     let noise_m = roughness_m(surface, &faces);
     let [low, high] = hull.bounds_m().map(DVec3::from);
     let (centre, size) = (0.5 * (low + high), (high - low).max_element());
@@ -162,6 +170,27 @@ fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64
         noise_m,
     };
     Some((fit, uncut_m3))
+}
+
+/// Whether noise tears a bed in two: its few vertices do not lie in one plane, and half of it would carry the stone.
+fn is_torn(surface: &Surface, faces: &[Region]) -> bool {
+    let corners_of = |face: &Region| -> BTreeSet<[u64; 3]> {
+        let corners = face
+            .triangles
+            .iter()
+            .flat_map(|&triangle| surface.corners(triangle));
+        corners
+            .map(|corner| corner.to_array().map(f64::to_bits))
+            .collect()
+    };
+    let corners: Vec<BTreeSet<[u64; 3]>> = faces.iter().map(corners_of).collect();
+    let is_bent = |first: usize, second: usize| {
+        let shared = corners[first].intersection(&corners[second]).count();
+        let all = corners[first].len() + corners[second].len() - shared;
+        let together = faces[first].plane.normal.dot(faces[second].plane.normal);
+        shared >= 2 && all < BENT_VERTICES_LEAST && together > ONE_BED
+    };
+    (0..faces.len()).any(|first| (0..first).any(|second| is_bent(first, second)))
 }
 
 /// The region whose plane contains a face of the body.
@@ -269,7 +298,7 @@ fn bevels(solid: &Solid, corners: &[DVec3], worn_m: f64, inside_m: f64) -> Vec<P
 
 #[cfg(test)]
 mod tests {
-    use crate::structure::stack::{Block, Joint, JointMaterial, Placement, Solid, Stack};
+    use crate::structure::stack::{Block, Joint, JointMaterial, Placement, Solid, Stack, StackError};
     use std::collections::BTreeMap;
 
     /// Normally distributed numbers: the sum of twelve uniform ones from a linear congruential generator.
@@ -371,6 +400,34 @@ mod tests {
                 assert!((0.7..1.3).contains(&scatter), "{known:?}");
             }
         }
+    }
+
+    #[test]
+    fn exact_a_bed_of_four_corners_that_noise_tears_is_refused() {
+        // the corners of the bed are off its plane by `torn`: of two triangles, one would carry
+        let mesh = |torn: f64| {
+            let bed = [
+                [-0.3, -0.25, torn],
+                [0.3, -0.25, -torn],
+                [0.3, 0.25, torn],
+                [-0.3, 0.25, -torn],
+            ];
+            let top = [
+                [-0.3, -0.25, 0.4012],
+                [0.3, -0.25, 0.3991],
+                [0.3, 0.25, 0.4004],
+                [-0.3, 0.25, 0.3989],
+            ];
+            let corners: Vec<[f64; 3]> = bed.into_iter().chain(top).collect();
+            let mut triangles = vec![[0, 3, 1], [1, 3, 2], [4, 5, 6], [4, 6, 7]];
+            for (i, next) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
+                triangles.extend([[i, next, next + 4], [i, next + 4, i + 4]]);
+            }
+            Solid::mesh(&corners, &triangles)
+        };
+        assert!(mesh(0.001).is_ok());
+        let torn = mesh(0.005);
+        assert!(matches!(torn, Err(StackError::MeshUneven { .. })), "{torn:?}");
     }
 
     /// A box of 0.8 × 0.6 × 0.6 m on the ground, with edges and corners rounded by a radius.
