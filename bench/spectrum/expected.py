@@ -1,7 +1,8 @@
-"""Measures of El Centro 1940 by eqsig and numpy, for crates/dolmen/tests/validation/motion_measures.rs.
+"""Measures of El Centro 1940 by eqsig and numpy, for crates/dolmen/tests/validation/ground_motions.rs.
 
 The record is interpolated along its straight lines, 40 points a step, before eqsig integrates it by trapezoids: what is left
-between the two is below 1e-4. The spectrum of Housner's intensity is eqsig's (Nigam-Jennings, peaks at the samples, here 0.5 ms).
+between the two is below 1e-4. The Arias intensity is that of the record at its samples, and D5-95
+that of its squares, interpolated likewise. The spectrum of Housner's intensity is eqsig's (Nigam-Jennings, peaks at the samples, here 0.5 ms).
 """
 
 import csv
@@ -20,11 +21,12 @@ fine_time = np.linspace(0, time[-1], (len(coarse) - 1) * FINE + 1)
 signal = eqsig.AccSignal(np.interp(fine_time, time, coarse), H / FINE)
 print("PGV", np.abs(signal.velocity).max(), "last", signal.velocity[-1])
 print("PGD", np.abs(signal.displacement).max(), "last", signal.displacement[-1])
-arias = eqsig.im.calc_arias_intensity(signal)
-print("Arias", arias[-1] * 9.81 / G, "(eqsig's g is 9.81)" )
-print("Arias at the samples", eqsig.im.calc_arias_intensity(eqsig.AccSignal(coarse, H))[-1] * 9.81 / G)
+at_samples = eqsig.AccSignal(coarse, H)
+print("Arias", eqsig.im.calc_arias_intensity(at_samples)[-1] * 9.81 / G, "(eqsig's g is 9.81)")
 print("CAV", eqsig.im.calc_cav(signal)[-1])
-print("D5-95", eqsig.im.calc_sig_dur(signal))
+square = np.interp(fine_time, time, coarse**2)
+grown = np.concatenate([[0], np.cumsum(0.5 * (square[1:] + square[:-1]))])
+print("D5-95", np.subtract(*np.interp([0.95, 0.05], grown / grown[-1], fine_time)))
 periods = np.arange(0.1, 2.5 + 0.005, 0.01)
 sd, sv, sa = eqsig.sdof.pseudo_response_spectra(signal.values, signal.dt, periods, xi=0.05)
 print("Housner", np.trapezoid(sv, periods))

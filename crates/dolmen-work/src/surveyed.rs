@@ -9,8 +9,7 @@ use crate::stack::FactorsAnswer;
 use crate::station_clocks::ClockDoubt;
 use dolmen::blocks::JointFactorsError;
 use dolmen::modal::{
-    JointSetups, LastingChange, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt,
-    StrongMotion,
+    JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt, StrongMotion,
 };
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
@@ -326,16 +325,20 @@ impl Earthquake {
         matches!(self.modes_of, ModesOf::During | ModesOf::Whole)
     }
 
-    /// In the form of a survey: the largest acceleration, and the change of the lowest mode with a significant change, otherwise of the lowest.
+    /// In the form of a survey: the largest acceleration, and the change of the lowest mode with a significant change, otherwise of the lowest. A change
+    /// that is not significant is left out if its deviations alone would make a reader take it as such.
     pub fn part(&self) -> EarthquakePart {
         let largest = self.found.largest();
         let peak = largest.strongest().and_then(|of| of.peak_acceleration_m_s2);
-        let change = self.found.lasting().or(self.found.shown().first());
+        let change = self.found.lasting().or_else(|| {
+            let lowest = self.found.shown().first();
+            lowest.filter(|of| !of.is_beyond_deviations())
+        });
         EarthquakePart {
             peak_m_s2: peak,
             is_at_least: peak.is_some() && largest.is_at_least(),
             changed: change.map(|of| of.ratio),
-            changed_sd: change.and_then(LastingChange::sd_for_readers),
+            changed_sd: change.and_then(|of| of.ratio_sd),
         }
     }
 }

@@ -84,7 +84,7 @@ fn channel(of: &StrongChannel) -> Value {
     })
 }
 
-fn change(of: &LastingChange) -> Value {
+pub(super) fn change(of: &LastingChange) -> Value {
     as_json!({
         "before_hz": of.before_hz,
         "before_sd_hz": of.before_sd_hz,

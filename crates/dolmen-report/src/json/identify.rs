@@ -1,7 +1,7 @@
 //! `dolmen identify` as JSON.
 
 use super::check::project;
-use super::earthquake::earthquake;
+use super::earthquake::{change, earthquake};
 use super::identified::identified;
 use super::with::with;
 use crate::as_json;
@@ -191,6 +191,8 @@ fn record(record: &RecordAnswer) -> Value {
         "settings": settings(&analysis.settings, &analysis.fdd_modes),
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
+        "free_decays": analysis.free_decays.as_ref().map(|of| as_json!({ "explained": of.explained, "spans_s": of.spans_s })),
+        "between_halves": analysis.between_halves.iter().map(change).collect::<Vec<_>>(),
         "decay": analysis.decay.as_ref().map(decay),
         "driven": analysis.driven.as_ref().map(driven),
         "earthquake": record.earthquake.as_ref().map(earthquake),

@@ -2,8 +2,9 @@
 
 use super::accept::{accepted, candidates, put_in, taken_out};
 use super::candidate::Candidate;
-use super::decay::{explained_by_decay, of_decay};
+use super::decay::{decays_in, of_decay};
 use super::driven::of_driven;
+use super::halves::changed_between_halves;
 use super::likelihood::refined;
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
@@ -55,11 +56,20 @@ use crate::signal::{Record, leave_out};
 /// # Ok::<(), dolmen::modal::ModalError>(())
 /// ```
 pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
+    let mut found = as_one_state(record, options)?;
+    if !matches!(options.method, Method::Era | Method::Okid) && found.free_decays.is_none() {
+        found.between_halves = changed_between_halves(record, options, &found, &as_one_state);
+    }
+    Ok(found)
+}
+
+/// Modes of a record of a structure that does not change.
+fn as_one_state(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
     check(record, options)?;
     let mut notes = judge_channels(record)?;
     note_filter(record, options, &mut notes);
     if options.method == Method::Okid {
-        return of_driven((record, options), notes, &identify);
+        return of_driven((record, options), notes, &as_one_state);
     }
     if options.method != Method::Era
         && let Some(brought_together) = without_off_clocks(record, options, &notes)
@@ -76,7 +86,16 @@ fn of_ambient(
     mut notes: Vec<Note>,
 ) -> Result<ModalAnalysis, ModalError> {
     let mut peaks = spectrum(record, options)?;
-    let set_aside = split_tones(record, &mut peaks, options, &mut notes)?;
+    let free_decays = match options.method {
+        Method::Era => None,
+        _ => decays_in(record),
+    };
+    // the tests for machines and footsteps assume random forces
+    let is_ambient = options.method != Method::Era && free_decays.is_none();
+    let set_aside = match free_decays {
+        Some(_) => SetAside::default(),
+        None => split_tones(record, &mut peaks, options, &mut notes)?,
+    };
     let mut refused = set_aside.peaks.clone();
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
@@ -85,8 +104,8 @@ fn of_ambient(
             of_separate_poles(record, options, (peaks, &set_aside), (&mut refused, &mut notes))?
         }
     };
-    if options.method != Method::Era {
-        analysis.free_decay = explained_by_decay(record);
+    analysis.free_decays = free_decays;
+    if is_ambient {
         let all = (0..record.channels().len()).collect();
         let before = analysis.modes.modes.clone();
         test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
@@ -97,6 +116,8 @@ fn of_ambient(
         let before = analysis.modes.modes.clone();
         leave_out_combs(&mut analysis.modes, &mut notes);
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Machine));
+    }
+    if options.method != Method::Era {
         let before = analysis.modes.modes.clone();
         let whole = clipped_record(record, options, &notes);
         leave_out_clipped(&[whole], &mut analysis.modes, &mut notes)?;
@@ -156,7 +177,7 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
     if off.is_empty() || modes.channels.len() < CHANNELS_LEAST || !options.references.is_empty() {
         return None;
     }
-    let mut alone = identify(&leave_out(record.clone(), &off).ok()?, options).ok()?;
+    let mut alone = as_one_state(&leave_out(record.clone(), &off).ok()?, options).ok()?;
     let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. });
     alone.notes.extend(notes.iter().filter(of_clocks).cloned());
     Some(alone)
@@ -178,7 +199,7 @@ fn without_off_clocks(record: &Record, options: &Identify, notes: &[Note]) -> Op
     let is_whole = kept.channels().len() == record.channels().len();
     let mut found = match is_whole {
         true => of_ambient(&kept, &options, notes.to_vec()),
-        false => identify(&kept, &options),
+        false => as_one_state(&kept, &options),
     }
     .ok()?;
     for channel in &mut found.modes.channels {
@@ -344,7 +365,8 @@ fn of_poles(
         hankel_singular_values,
         settings,
         decay: None,
-        free_decay: None,
+        free_decays: None,
+        between_halves: Vec::new(),
         driven: None,
         notes: Vec::new(),
     })

@@ -6,6 +6,7 @@ mod correlations;
 mod decay;
 mod driven;
 mod error;
+mod halves;
 mod identify;
 mod indicators;
 mod likelihood;
@@ -29,7 +30,9 @@ mod subspace;
 mod synthetic;
 mod unkind;
 
-pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, Overtone, decrement, era};
+pub use decay::{
+    AtAmplitude, Decay, DecaysInRecord, Decrement, Era, FreeDecay, ModeDecay, Overtone, decrement, era,
+};
 pub use driven::{
     Driven, DrivenMode, FrequencyResponse, FrequencyResponses, MadeOnGround, MadeOneMass, OffGround,
     frequency_responses,

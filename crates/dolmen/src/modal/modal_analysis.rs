@@ -1,6 +1,6 @@
 //! The modes of a record, and the intermediate results of the analysis.
 
-use super::decay::Decay;
+use super::decay::{Decay, DecaysInRecord};
 use super::driven::Driven;
 use super::notes::Note;
 use super::options::Identify;
@@ -8,7 +8,7 @@ use super::settings::{Settings, passed_hz};
 use super::spectrum::{FddResult, SingularSpectrum};
 use super::subspace::Cluster;
 use super::subspace::Stabilization;
-use super::{Mode, Modes};
+use super::{LastingChange, Mode, Modes};
 use crate::signal::Record;
 
 /// The modes of a record, with all data to draw, evaluate and reproduce them.
@@ -30,8 +30,10 @@ pub struct ModalAnalysis {
     pub settings: Settings,
     /// For a free decay: quality of the exponential model, and dependence on amplitude.
     pub decay: Option<Decay>,
-    /// For a record that looks like a free decay and is not analysed as one: share of the motion that decaying modes explain.
-    pub free_decay: Option<f64>,
+    /// For a record that is made up of free decays and is not analysed as one: these decays.
+    pub free_decays: Option<DecaysInRecord>,
+    /// Modes of which the frequencies in the two halves of the record differ beyond chance.
+    pub between_halves: Vec<LastingChange>,
     /// For a record with measured inputs: the motion that the inputs explain, and the modes of structure and ground.
     pub driven: Option<Driven>,
     /// Notes on the modes.
@@ -78,7 +80,8 @@ pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) ->
         hankel_singular_values: Vec::new(),
         settings,
         decay: None,
-        free_decay: None,
+        free_decays: None,
+        between_halves: Vec::new(),
         driven: None,
         notes: Vec::new(),
     }

@@ -1,10 +1,11 @@
-//! Intensity measures of one component of a ground motion, exact for an acceleration that is linear between samples.
+//! Intensity measures of one component of a ground motion, exact for an acceleration that is linear between samples; the Arias intensity sums the
+//! squares of the samples.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | a, v, u | `a`, `v`, `u` | acceleration, velocity and displacement of the ground | m/s², m/s, m |
 //! | h, s | `h`, `s` | time step; slope of a within it | s, m/s³ |
-//! | E | `energy` | ∫ a² dt | m²/s³ |
+//! | E | `energy` | ∫ a² dt, trapezoids of a² | m²/s³ |
 //! | C_k, f_k | `spectrum`, `f` | Fourier coefficient and its frequency | m/s², Hz |
 
 use super::{Component, GroundMotion, SignalError, response_spectrum};
@@ -55,7 +56,7 @@ pub struct IntensityMeasures {
 ///
 /// ```text
 /// within a step     a = a_0 + s τ     v = v_0 + a_0 τ + s τ²/2     u = u_0 + v_0 τ + a_0 τ²/2 + s τ³/6
-/// Arias             π/(2g) Σ h (a_0² + a_0 a_1 + a_1²)/3
+/// Arias             π/(2g) Σ h (a_0² + a_1²)/2
 /// ```
 ///
 /// # Errors
@@ -63,8 +64,9 @@ pub struct IntensityMeasures {
 ///
 /// # Limits
 /// Velocity and displacement are those of the uncorrected record: an offset makes them grow with t and t². Remove it first
-/// ([`GroundMotion::baseline_corrected`]). Programs that sum squares at the samples (trapezoids of a²) print a larger Arias intensity: 4.5 %
-/// more for El Centro 1940 at 0.02 s.
+/// ([`GroundMotion::baseline_corrected`]). The Arias intensity and its duration are trapezoids of a², as in most programs: by Parseval exact for a
+/// motion without frequencies above half the sampling rate. The square of the straight lines is (2 + cos 2πfh)/3 times as large: 6 % less for ten
+/// samples in a period, 4.3 % less for El Centro 1940 at 0.02 s.
 ///
 /// # Source
 /// Arias (1970) in *Seismic Design for Nuclear Power Plants*, MIT Press; Housner (1952) Caltech; Trifunac, Brady (1975) Bull. Seism.
@@ -94,7 +96,7 @@ pub fn intensity_measures(
         } else {
             0.5 * h * (a0 + a1).abs()
         };
-        energy[i + 1] = energy[i] + h * (a0 * a0 + a0 * a1 + a1 * a1) / 3.0;
+        energy[i + 1] = energy[i] + 0.5 * h * (a0 * a0 + a1 * a1);
     }
     let [from, to] = SIGNIFICANT.map(|share| reached(a, h, &energy, share));
     let periods =
@@ -221,12 +223,12 @@ fn zeros(p: f64, q: f64, r: f64) -> [f64; 2] {
     [w / p, r / w]
 }
 
-/// Time at which a share of the energy is reached, by bisection within a step, where the energy is a cubic function of time.
+/// Time at which a share of the energy is reached, by bisection within a step, where a² is linear in time.
 fn reached(a: &[f64], h: f64, energy: &[f64], share: f64) -> f64 {
     let wanted = share * energy[energy.len() - 1];
     let after = energy.partition_point(|e| *e < wanted).clamp(1, a.len() - 1);
-    let (a0, s) = (a[after - 1], (a[after] - a[after - 1]) / h);
-    let grown = |tau: f64| energy[after - 1] + tau * (a0 * a0 + tau * (a0 * s + tau * s * s / 3.0));
+    let [before, then] = [a[after - 1], a[after]].map(|a| a * a);
+    let grown = |tau: f64| energy[after - 1] + tau * (before + 0.5 * tau * (then - before) / h);
     let (mut low, mut high) = (0.0, h);
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -284,7 +286,7 @@ mod tests {
         assert!(
             (coarse.cumulative_absolute_velocity_m_s - (1.5 + 9.0 / 8.0 + 1.0 / 8.0 + 0.5)).abs() < 1e-14
         );
-        let squares = 3.0 + (9.0 - 3.0 + 1.0) / 3.0 + 1.0 / 3.0;
+        let squares = 9.0 / 2.0 + (9.0 + 1.0) / 2.0 + 1.0 / 2.0;
         assert!((coarse.arias_intensity_m_s - PI / (2.0 * 9.80665) * squares).abs() < 1e-14);
     }
 
@@ -310,6 +312,27 @@ mod tests {
             m.significant_duration_s
         );
         assert!((m.predominant_period_s.unwrap() * f - 1.0).abs() < 0.03);
+    }
+
+    #[test]
+    fn exact_arias_intensity_of_a_sine_however_few_samples_a_period_has() {
+        // A² T/2 · π/2g for whole periods
+        let (amplitude, duration_s, f) = (2.5, 8.0, 5.0);
+        let wanted = amplitude * amplitude * duration_s / 2.0 * PI / (2.0 * 9.80665);
+        for a_period in [3, 4, 10, 40] {
+            let h = 1.0 / (f * f64::from(a_period));
+            let samples = (0..=40 * a_period).map(|i| amplitude * (2.0 * PI * f * h * f64::from(i)).sin());
+            let m = measured(h, samples.collect());
+            assert!(
+                (m.arias_intensity_m_s / wanted - 1.0).abs() < 1e-12,
+                "{a_period}: {m:?}"
+            );
+            let within_s = 1.0 / f;
+            assert!(
+                (m.significant_duration_s - 0.9 * duration_s).abs() < within_s,
+                "{a_period}: {m:?}"
+            );
+        }
     }
 
     #[test]

@@ -5,8 +5,8 @@
 //            tenons; the fixed step of 4 µs 2e-4 of the largest drift, the error of its contacts.
 
 use dolmen::dynamics::{
-    FrameHistory, FrameLoad, FrameOutcome, FrameRun, FrictionFrame, StoreyFriction, Tenon, TimeFunction,
-    ViscousDamping, simulate_frame,
+    FrameHistory, FrameLoad, FrameOutcome, FrameRun, FrictionFrame, Sliders, StoreyFriction, Tenon,
+    TimeFunction, ViscousDamping, simulate_frame,
 };
 use dolmen::known::gap_spring::{crushed_m, period_s};
 use dolmen::numeric::Random;
@@ -76,6 +76,38 @@ fn exact_a_spring_with_slack_swings_slower_the_smaller_it_swings() {
     let history = run(&mass(0.3, 0.0, LOOSE), &FrameLoad::none(), &options);
     let half_s = 0.5 * period_s([0.3, 4.0], 1.0, 0.5, 0.4).unwrap();
     assert!((history.turns[0].at_s / half_s - 1.0).abs() < 1e-11);
+}
+
+/// Within the slack only the dashpot acts, u = (v0/β) (1 − exp(−β t)) with β = 2 ζ √(k_t/m); in contact the ratio is ζ.
+#[test]
+fn exact_dashpots_brake_within_a_slack_in_which_nothing_else_holds() {
+    let (ratio, speed) = (0.1, 0.1);
+    let damped = |within| {
+        let frame = mass(within, 0.0, LOOSE);
+        frame.with_damping(ViscousDamping::Modal(ratio)).unwrap()
+    };
+    let options = FrameRun {
+        duration_s: Some(5.0),
+        start_velocity_m_s: vec![speed],
+        ..FrameRun::default()
+    };
+    let free = damped(0.0);
+    let history = run(&free, &FrameLoad::none(), &options);
+    let rate = 2.0 * ratio * 2.0;
+    let times = history.time_s.iter().zip(&history.displacement_m[0]);
+    for (t, u) in times.skip(1) {
+        let exact = speed / rate * (1.0 - (-rate * t).exp());
+        assert!((u / exact - 1.0).abs() < 1e-11, "{t}: {u} {exact}");
+    }
+    assert!(history.energy_left_over_ratio() < 1e-12);
+    let bearing = free.damping_ratios_bearing().unwrap();
+    assert!((bearing[0].unwrap() / ratio - 1.0).abs() < 1e-12, "{bearing:?}");
+    // a spring that acts within the slack has a mode there: ζ is its ratio, and ζ √(k/(k + k_t)) in contact
+    let sprung = damped(0.5);
+    let within = sprung.damping_ratios(Sliders::Stuck).unwrap();
+    assert!((within[0].unwrap() / ratio - 1.0).abs() < 1e-12);
+    let bearing = sprung.damping_ratios_bearing().unwrap()[0].unwrap();
+    assert!((bearing / (ratio * (0.5_f64 / 4.5).sqrt()) - 1.0).abs() < 1e-12);
 }
 
 #[test]

@@ -366,8 +366,9 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
     let all: Vec<MeasuredStackMode> = [0, 1]
         .into_iter()
         .flat_map(|axis| {
-            let three: Vec<StackMode> = sways(&made, axis).into_iter().take(3).collect();
-            three.into_iter().map(move |mode| (axis, mode))
+            // higher ones lie among those of the posts alone, which sway at one frequency in shapes that rounding chooses
+            let two: Vec<StackMode> = sways(&made, axis).into_iter().take(2).collect();
+            two.into_iter().map(move |mode| (axis, mode))
         })
         .map(|(axis, mode)| of_levels(&stack, measured(&stack, axis, &mode, 1e-5, Some(1e-5))))
         .collect();

@@ -50,6 +50,7 @@ mod lost_samples;
 mod machines_in_records;
 mod made_mode;
 mod made_records;
+mod not_ambient;
 mod one_stone;
 mod park_min_2010;
 mod plan_scatter;

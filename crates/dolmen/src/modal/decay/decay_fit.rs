@@ -6,8 +6,8 @@
 //! | B | `basis` | Re e^(μt), -Im e^(μt) of every mode | samples × 2K |
 //! | D | `slope` | derivatives of the motion with respect to Re μ, Im μ | samples × 2K |
 
-use super::decay_left::over_white;
-use crate::modal::indicators::{normalized, phase_collinearity};
+use super::decay_left::{is_shaken, over_white};
+use crate::modal::indicators::{assurance, normalized, phase_collinearity};
 use crate::modal::{ModalError, Mode};
 use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, qr, solve};
@@ -28,8 +28,8 @@ pub(super) struct Fit {
     pub(super) over_white: Vec<f64>,
 }
 
-/// Keeps the modes that are stronger than white noise: removes the weakest mode and fits the rest again, until all are
-/// significant.
+/// Keeps the modes that are stronger than white noise, and those that the response of a stronger mode to random forces does not explain: removes the
+/// weakest other mode and fits the rest again, until all are significant.
 ///
 /// ```text
 /// E_k = Σ_c Σ_t (Re a_kc e^(μ_k t))²/σ_c² > 2 l + 6 ln N        noise alone passes once in N² records: P(χ²₂ > 6 ln N) = N⁻³
@@ -43,8 +43,14 @@ pub(super) fn significant(
     let least = 2.0 * l as f64 + 6.0 * (samples as f64).ln();
     while !roots.is_empty() {
         let fit = fitted(record, roots)?;
-        let weakest = (0..fit.roots.len()).min_by(|a, b| fit.energy[*a].total_cmp(&fit.energy[*b]));
-        match weakest.filter(|k| fit.energy[*k] < least) {
+        let mut by_energy: Vec<usize> = (0..fit.roots.len()).collect();
+        by_energy.sort_by(|a, b| fit.energy[*a].total_cmp(&fit.energy[*b]));
+        let weakest = by_energy.first().copied().filter(|k| fit.energy[*k] < least);
+        let removed = match weakest {
+            None => fit.of_random_forces(record, &by_energy)?,
+            some => some,
+        };
+        match removed {
             None => return Ok(fit),
             Some(k) => {
                 roots = fit.roots;
@@ -190,6 +196,21 @@ impl Linear {
 }
 
 impl Fit {
+    /// The weakest mode that the response of a stronger one with the same shape to random forces explains.
+    fn of_random_forces(&self, record: &Record, by_energy: &[usize]) -> Result<Option<usize>, ModalError> {
+        const ALIKE: f64 = 0.9; // MAC
+        for (at, weak) in by_energy.iter().enumerate() {
+            let is_alike = |of: &&usize| assurance(&self.amplitudes[**of], &self.amplitudes[*weak]) >= ALIKE;
+            for strong in by_energy[at + 1..].iter().filter(is_alike) {
+                let [strong, weak] = [*strong, *weak].map(|k| (self.roots[k], self.amplitudes[k].as_slice()));
+                if is_shaken(record, (&self.rest, &self.noise), strong, weak)? {
+                    return Ok(Some(by_energy[at]));
+                }
+            }
+        }
+        Ok(None)
+    }
+
     pub(super) fn mode(&self, k: usize, duration_s: f64, order: usize) -> Mode {
         let mu = self.roots[k];
         let omega = mu.norm();

@@ -1,38 +1,182 @@
-//! Recognises a free decay among records that are analysed as ambient vibration.
+//! Recognises free decays among records that are analysed as ambient vibration: one from beginning to end, or one after each blow.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | P | `Energy::power` | mean square of all channels over a span, each channel with unit variance |
+//! | w | `window` | samples before and after a time that are compared to find a blow |
 
 use super::era::{Era, era};
 use crate::numeric::sum_of;
-use crate::signal::Record;
+use crate::signal::{Record, cut};
 
-/// Number of equal parts of the record, the largest ratio of the power of a part to that of the part before, and the least ratio of the first to the
-/// last. Our choice: a record of ambient vibration or traffic hardly ever loses power in every eighth.
+/// Number of equal parts of a decay, and largest ratio of the power of a part to that of the part before. Our choice: a record of ambient vibration
+/// or traffic hardly ever loses power in every eighth.
 const PARTS: usize = 8;
 const GROWTH_MOST: f64 = 1.2;
+/// Least ratio of the power of the first part to that of the last, if the decay is the whole record, and if it follows a blow. Our choice.
 const FALL_LEAST: f64 = 10.0;
+const FALL_AFTER_BLOW_LEAST: f64 = 4.0;
 /// Least share of the motion that decaying modes explain. Our choice.
 const EXPLAINED_LEAST: f64 = 0.9;
+/// Windows of a record, and ratio of the power after a blow to that before it. Our choice: the power of modes under random forces grows within their
+/// decay time, not at once.
+const WINDOWS: usize = 400;
+const WINDOW_LEAST: usize = 8;
+const RISE_LEAST: f64 = 4.0;
+/// A decay ends where its power has fallen by this factor: ambient vibration remains. Our choice.
+const ENDS_BELOW: f64 = 30.0;
+/// Largest number of blows: more are footsteps. Our choice.
+const BLOWS_MOST: usize = 40;
+/// Least share of the energy of the record in decays. Our choice.
+const ENERGY_LEAST: f64 = 0.8;
+/// Number of the strongest decays that modes must explain, to bound the time. Our choice.
+const EXPLAINED: usize = 4;
 
-/// Share of the motion that modes explain which all decay from the beginning of the record; `None` if it is not a free decay.
+/// Free decays that make up a record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DecaysInRecord {
+    /// Least share of the motion of one decay that modes explain which all decay from its beginning.
+    pub explained: f64,
+    /// From and to, s from the first sample of the record; one span from beginning to end if the record is a single decay.
+    pub spans_s: Vec<[f64; 2]>,
+}
+
+/// The free decays of a record; `None` if it is not made up of them.
 ///
 /// # Limits
-/// A record that begins long before the release, or has several blows, is not recognised.
-pub(crate) fn explained_by_decay(record: &Record) -> Option<f64> {
-    let length = record.length() / PARTS;
-    let mut power = [0.0; PARTS];
-    for c in 0..record.channels().len() {
-        let (samples, mean) = (record.samples(c), record.mean(c));
-        let of = |part: &[f64]| sum_of(part, |y| (y - mean) * (y - mean));
-        let whole = of(samples).max(f64::MIN_POSITIVE);
-        for (sum, part) in power.iter_mut().zip(samples.chunks_exact(length.max(1))) {
-            *sum += of(part) / whole;
-        }
+/// A blow within a louder decay, beats of two modes in all channels, and vibration that hides a decay are not recognised.
+pub(crate) fn decays_in(record: &Record) -> Option<DecaysInRecord> {
+    let energy = Energy::of(record);
+    let whole = [0, record.length()];
+    if energy.falls(whole, GROWTH_MOST, FALL_LEAST) {
+        return Some(DecaysInRecord {
+            explained: explained(record)?,
+            spans_s: vec![[0.0, record.duration_s()]],
+        });
     }
-    let falls = power.windows(2).all(|pair| pair[1] <= GROWTH_MOST * pair[0]);
-    if !falls || power[0] < FALL_LEAST * power[PARTS - 1] {
+    let window = (record.length() / WINDOWS).max(WINDOW_LEAST);
+    let blows = energy.blows(window);
+    if blows.is_empty() || blows.len() > BLOWS_MOST {
         return None;
     }
-    let found = era(record, &Era::default()).ok()?;
+    // the record may begin within a decay
+    let starts = [0].into_iter().chain(blows.iter().map(|blow| blow + window / 2));
+    let ends = blows
+        .iter()
+        .map(|next| next.saturating_sub(window / 2))
+        .chain([record.length()]);
+    let mut decays: Vec<[usize; 2]> = starts
+        .zip(ends)
+        .map(|(start, end)| energy.until_faded([start.min(end), end], window))
+        .filter(|span| energy.falls(*span, RISE_LEAST.sqrt(), FALL_AFTER_BLOW_LEAST))
+        .collect();
+    let held: f64 = decays.iter().map(|span| energy.sum(*span)).sum();
+    let in_windows: f64 = blows
+        .iter()
+        .map(|blow| energy.sum([*blow, blow + window / 2]))
+        .sum();
+    if held + in_windows < ENERGY_LEAST * energy.sum(whole) {
+        return None;
+    }
+    let spans_s = decays
+        .iter()
+        .map(|span| span.map(|at| at as f64 / record.sampling_rate_hz()));
+    let spans_s: Vec<[f64; 2]> = spans_s.collect();
+    decays.sort_by(|a, b| energy.sum(*b).total_cmp(&energy.sum(*a)));
+    let mut least: f64 = 1.0;
+    for span in decays.iter().take(EXPLAINED) {
+        let [from_s, to_s] = span.map(|at| at as f64 / record.sampling_rate_hz());
+        least = least.min(explained(&cut(record.clone(), from_s, to_s).ok()?)?);
+    }
+    (!decays.is_empty()).then_some(DecaysInRecord {
+        explained: least,
+        spans_s,
+    })
+}
+
+/// Share of the motion that decaying modes explain, if it is large.
+fn explained(decay: &Record) -> Option<f64> {
+    let found = era(decay, &Era::default()).ok()?;
     (found.explained >= EXPLAINED_LEAST).then_some(found.explained)
+}
+
+/// Sum of the squares of all channels up to each sample.
+struct Energy {
+    until: Vec<f64>,
+}
+
+impl Energy {
+    fn of(record: &Record) -> Energy {
+        let mut square = vec![0.0; record.length()];
+        for c in 0..record.channels().len() {
+            let (samples, mean) = (record.samples(c), record.mean(c));
+            let whole = sum_of(samples, |y| (y - mean) * (y - mean)).max(f64::MIN_POSITIVE);
+            let squares = samples.iter().map(|y| (y - mean) * (y - mean) / whole);
+            square.iter_mut().zip(squares).for_each(|(sum, own)| *sum += own);
+        }
+        let mut total = 0.0;
+        let sums = square.into_iter().map(|of| {
+            total += of;
+            total
+        });
+        Energy {
+            until: std::iter::once(0.0).chain(sums).collect(),
+        }
+    }
+
+    fn sum(&self, [from, to]: [usize; 2]) -> f64 {
+        let last = self.until.len() - 1;
+        self.until[to.min(last)] - self.until[from.min(last)]
+    }
+
+    fn power(&self, [from, to]: [usize; 2]) -> f64 {
+        self.sum([from, to]) / (to.max(from + 1) - from) as f64
+    }
+
+    /// Whether the power never grows by more than `growth_most` from an eighth of the span to the next, and falls by `fall_least` in all.
+    fn falls(&self, [from, to]: [usize; 2], growth_most: f64, fall_least: f64) -> bool {
+        let length = (to - from) / PARTS;
+        let part = |k: usize| self.power([from + k * length, from + (k + 1) * length]);
+        let power: Vec<f64> = (0..PARTS).map(part).collect();
+        length > 0
+            && power.windows(2).all(|pair| pair[1] <= growth_most * pair[0])
+            && power[0] >= fall_least * power[PARTS - 1]
+    }
+
+    /// Samples at which the power rises at once: the steepest rise within two windows.
+    fn blows(&self, window: usize) -> Vec<usize> {
+        let samples = self.until.len() - 1;
+        let rise = |t: usize| {
+            let before = self.power([t - window, t]).max(f64::MIN_POSITIVE);
+            self.power([t, t + window]) / before
+        };
+        let mut found: Vec<(usize, f64)> = Vec::new();
+        for t in window..samples.saturating_sub(window) {
+            let own = rise(t);
+            if own < RISE_LEAST {
+                continue;
+            }
+            match found.last_mut() {
+                Some((at, most)) if t - *at <= 2 * window => {
+                    if own > *most {
+                        (*at, *most) = (t, own);
+                    }
+                }
+                _ => found.push((t, own)),
+            }
+        }
+        found.into_iter().map(|(at, _)| at).collect()
+    }
+
+    /// The span up to where its power has fallen by [`ENDS_BELOW`].
+    fn until_faded(&self, [from, to]: [usize; 2], window: usize) -> [usize; 2] {
+        let first = self.power([from, (from + window).min(to)]);
+        let starts = (from..to.saturating_sub(window)).step_by(window);
+        let faded = starts
+            .map(|t| t + window)
+            .find(|t| ENDS_BELOW * self.power([t - window, *t]) < first);
+        [from, faded.unwrap_or(to)]
+    }
 }
 
 #[cfg(test)]
@@ -60,7 +204,7 @@ mod tests {
         };
         let samples = vec![of([1.0, 0.4]), of([-0.5, 1.0])];
         let decays = Record::new(["x", "y"].map(Channel::named).to_vec(), samples, 100.0).unwrap();
-        assert!(explained_by_decay(&decays).unwrap() > 0.99);
+        assert!(decays_in(&decays).unwrap().explained > 0.99);
         let mode = |frequency_hz, shape: [f64; 2]| MadeMode {
             frequency_hz,
             damping_ratio: 0.01,
@@ -74,7 +218,7 @@ mod tests {
                 ..MadeRecord::default()
             };
             let ambient = made.make().unwrap();
-            assert_eq!(explained_by_decay(&ambient), None);
+            assert_eq!(decays_in(&ambient), None);
             // nor is a gust that dies away
             let fades = |c: usize| {
                 let each = ambient.samples(c).iter().enumerate();
@@ -83,7 +227,7 @@ mod tests {
             };
             let rate_hz = ambient.sampling_rate_hz();
             let gust = Record::new(ambient.channels().to_vec(), vec![fades(0), fades(1)], rate_hz).unwrap();
-            assert_eq!(explained_by_decay(&gust), None);
+            assert_eq!(decays_in(&gust), None);
         }
     }
 }

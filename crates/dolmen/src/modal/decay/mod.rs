@@ -13,5 +13,6 @@ mod not_modes;
 pub use decrement::{AtAmplitude, Decrement, decrement};
 pub use era::{Era, FreeDecay, era};
 pub(super) use identify_decay::{SHORT, of_decay, short_spectrum};
-pub(super) use like_decay::explained_by_decay;
+pub use like_decay::DecaysInRecord;
+pub(super) use like_decay::decays_in;
 pub use mode_decay::{Decay, ModeDecay, Overtone};

@@ -3,6 +3,7 @@
 mod driven_modes;
 mod ground_ratios;
 mod identify_driven;
+mod lowest_response;
 mod made;
 mod markov_parameters;
 mod observer;

@@ -6,65 +6,14 @@
 //! | ν | `degrees_of_freedom` | degrees of freedom of the standard deviation of r |
 //! | p | `chance` | probability of such a change by chance |
 
+use super::lasting_change::LastingChange;
 use super::mode_pairs::same_modes;
 use super::part::Part;
 use crate::modal::{ModalAnalysis, Mode};
-use crate::numeric::{student_two_sided, student_two_sided_quantile, welch};
+use crate::numeric::{student_two_sided, welch};
 
 /// Number of standard deviations within which two ratios of one mode agree.
 const AGREES: f64 = 2.0;
-
-/// One mode before and after the earthquake.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LastingChange {
-    /// Frequency before, Hz.
-    pub before_hz: f64,
-    /// Standard deviation of the frequency before, Hz.
-    pub before_sd_hz: Option<f64>,
-    /// Frequency after, Hz.
-    pub after_hz: f64,
-    /// Standard deviation of the frequency after, Hz.
-    pub after_sd_hz: Option<f64>,
-    /// Frequency after over frequency before, minus 1.
-    pub ratio: f64,
-    /// Standard deviation of this ratio; `None` if one of the two is unknown.
-    pub ratio_sd: Option<f64>,
-    /// Degrees of freedom of this standard deviation, from the effective number of blocks of time in both parts.
-    pub degrees_of_freedom: f64,
-    /// Probability that chance alone gives at least one such change among all modes and parts of the record that are compared (Holm); `None`
-    /// without a standard deviation.
-    pub chance: Option<f64>,
-    /// Whether an earlier or a later part shows the mode as it was without this change.
-    pub is_contradicted: bool,
-}
-
-impl LastingChange {
-    /// Number of standard deviations that a survey in a project or a store takes as significant. Our choice.
-    pub const BEYOND: f64 = 3.0;
-    /// Largest probability that chance gives a significant change anywhere in a record. Our choice.
-    pub const CHANCE_MOST: f64 = 0.02;
-
-    /// Whether the change exceeds the scatter of both identifications, and no other part of the record contradicts it.
-    pub fn is_beyond_chance(&self) -> bool {
-        !self.is_contradicted && self.chance.is_some_and(|chance| chance <= Self::CHANCE_MOST)
-    }
-
-    /// Half of the width of the interval of the ratio that contains 95 %, by Student's distribution.
-    pub fn half_width_95(&self) -> Option<f64> {
-        let quantile = student_two_sided_quantile(0.05, self.degrees_of_freedom).ok()?;
-        self.ratio_sd.map(|sd| quantile * sd)
-    }
-
-    /// Standard deviation for a reader who takes [`BEYOND`](Self::BEYOND) of them as significant: the nearest to that of the ratio with which this
-    /// reader agrees with [`is_beyond_chance`](Self::is_beyond_chance).
-    pub fn sd_for_readers(&self) -> Option<f64> {
-        let bound = self.ratio.abs() / Self::BEYOND;
-        self.ratio_sd.map(|sd| match self.is_beyond_chance() {
-            true => sd.min(0.99 * bound),
-            false => sd.max(bound),
-        })
-    }
-}
 
 /// Changes from each part to the next, and from the first part with modes to the last, tested together.
 pub(super) struct Changes {
@@ -104,6 +53,11 @@ pub(super) fn changes(quiet: &[Part], compared: Option<[usize; 2]>) -> Changes {
         by_event: all,
         in_all,
     }
+}
+
+/// The changes from one part to the other, tested together.
+pub(in crate::modal) fn between_parts(parts: &[Part; 2]) -> Vec<LastingChange> {
+    changes(parts, None).by_event.pop().unwrap_or_default()
 }
 
 fn between(quiet: &[Part], [from, to]: [usize; 2]) -> Vec<LastingChange> {
@@ -229,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_holm_s_probabilities_and_the_deviation_for_readers() {
+    fn exact_holm_s_probabilities_and_three_deviations() {
         let changes = [9.85, 10.0, 10.001].map(|after| from_to(10.0, after));
         let alone = changes.clone().map(|of| {
             let statistic = of.ratio / of.ratio_sd.unwrap();
@@ -240,19 +194,17 @@ mod tests {
         let chance: Vec<f64> = all.iter().flatten().map(|of| of.chance.unwrap()).collect();
         assert_eq!(chance[0], 3.0 * alone[0]);
         assert_eq!((chance[1], chance[2]), (1.0, 1.0));
-        for of in all.iter().flatten() {
-            let by_readers = of.ratio.abs() > LastingChange::BEYOND * of.sd_for_readers().unwrap();
-            assert_eq!(by_readers, of.is_beyond_chance(), "{of:?}");
-        }
         // 3.1 deviations among many
         let mut many = vec![vec![from_to(10.0, 10.0 - 0.045); 40]];
         test_together(&mut many);
         let of = &many[0][0];
-        assert!(
-            of.ratio.abs() > 3.0 * of.ratio_sd.unwrap() && !of.is_beyond_chance(),
-            "{of:?}"
-        );
-        assert!(of.ratio.abs() <= 3.0 * of.sd_for_readers().unwrap());
+        assert!(of.is_beyond_deviations() && !of.is_beyond_chance(), "{of:?}");
+        // 2.5 deviations, alone: chance gives them in 1.5 % of all cases, and readers take three
+        let mut one = vec![vec![from_to(10.0, 10.0 - 0.0353)]];
+        test_together(&mut one);
+        let of = &one[0][0];
+        assert!(of.chance.unwrap() < LastingChange::CHANCE_MOST, "{of:?}");
+        assert!(!of.is_beyond_chance());
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod detection;
 mod features;
 mod lasting;
+mod lasting_change;
 mod levels;
 mod losses;
 mod made;
@@ -16,7 +17,8 @@ mod track;
 mod wind;
 
 pub use detection::{earthquake_in, earthquakes_in};
-pub use lasting::LastingChange;
+pub(super) use lasting::between_parts;
+pub use lasting_change::LastingChange;
 pub use losses::{AtLeast, Losses};
 pub use made::MadeEarthquake;
 pub use part::Part;

@@ -1,6 +1,6 @@
 //! Modes before, during and after an earthquake.
 
-use super::lasting::LastingChange;
+use super::lasting_change::LastingChange;
 use super::losses::Losses;
 use super::part::{Part, part_of};
 use super::shaking::Shaking;
@@ -227,18 +227,16 @@ fn leave_little_moved(analysis: &mut ModalAnalysis) {
     }
 }
 
-/// Whether a whole record shows the structure in one state, that of the strong phase: no mode occurs twice, and the lowest mode has the same
-/// frequency.
+/// Whether a whole record shows the structure in one state, that of the strong phase: no mode occurs twice, and each mode of the strong phase is
+/// found with the same frequency. The whole record may show more modes: a short strong phase has too few cycles of the lowest ones.
 pub fn is_of_one_state(whole: &Modes, strong: &Modes) -> bool {
-    let (Some(one), Some(other)) = (whole.modes.first(), strong.modes.first()) else {
-        return false;
+    let is_same = |one: &Mode, other: &Mode| {
+        let sds = [one, other].map(|of| of.frequency_sd_hz.unwrap_or(0.0));
+        let off = (one.frequency_hz - other.frequency_hz).abs();
+        off <= LastingChange::BEYOND * sds[0].hypot(sds[1])
     };
-    let sd = one
-        .frequency_sd_hz
-        .unwrap_or(0.0)
-        .hypot(other.frequency_sd_hz.unwrap_or(0.0));
-    let off = (one.frequency_hz - other.frequency_hz).abs();
-    !has_a_mode_twice(whole) && off <= LastingChange::BEYOND * sd
+    let is_found = |one: &Mode| whole.modes.iter().any(|other| is_same(one, other));
+    !strong.modes.is_empty() && strong.modes.iter().all(is_found) && !has_a_mode_twice(whole)
 }
 
 /// MAC over the channels that both have.

@@ -1,7 +1,8 @@
 //! Evaluates a record with earthquakes: what the structure did before, during and after them.
 
 use super::detection::{SURE_M_S2, earthquakes_in};
-use super::lasting::{LastingChange, changes};
+use super::lasting::changes;
+use super::lasting_change::LastingChange;
 use super::losses::Losses;
 use super::part::Part;
 use super::parts::{During, during, quiet};
