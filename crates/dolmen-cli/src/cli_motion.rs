@@ -171,7 +171,7 @@ pub(crate) struct Motion {
     /// Rotate the motion by this angle, degrees from x towards y
     #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     pub(crate) turn: Option<f64>,
-    /// Multiply all components by this factor
+    /// Multiply all components by this factor, on top of the scale or peak of the project file
     #[arg(
         long,
         value_name = "FACTOR",

@@ -37,7 +37,7 @@ another column and measure again; then look at the column. With two sensors a tu
     "damage-states" "DS1 to DS4: how far a structure was damaged" => "\
 Of a stack: DS1, a joint opens by 0.1 mm or slips by 0.5 mm. DS2, an offset of 0.5 % of the joint's width, or 10 mm, is left.
 DS3, 2 % is left, a joint rocks to 0.35 of its slenderness angle, or a stone lies on the brink. DS4, falls: a stone came down. Of a
-frame: DS1, a storey slips; falls, a storey leaned by more than 10 %. Of a chain: DS1, a joint opens or turns against its
+frame: DS1, a storey slips or a tenon crushes; falls, a storey leaned by more than 10 %. Of a chain: DS1, a joint opens or turns against its
 friction; falls, a link leaned by 60°. Of a building: the first, second and third limit of its storey drift. DS3 and worse is
 red, with exit status 1.",
     "damping-floor" "The least scatter any method can reach" => "\

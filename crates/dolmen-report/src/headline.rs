@@ -125,6 +125,7 @@ messages! {
             en: "{word} (columns without ties lift off their stones, where the springs of their beds tell nothing)",
             ko: "{word}(결구 없는 기둥의 주각이 초석에서 들리며, 그 뒤는 지압면의 강성으로 알 수 없음)",
         },
+        WordSplit(word: Both) => { en: "{word} (how beds and joints share the stiffness is assumed)", ko: "{word}(지압면과 접합부의 강성 분담은 가정)" },
         WordLoosePost(word: Both) => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
         WordNoStiffness(word: Both) => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
@@ -501,12 +502,10 @@ fn word(of: &EarthquakeFinding) -> Headline {
         },
         (DecidedBy::LoosePost, _) => Headline::WordLoosePost(word),
         (DecidedBy::FeetLiftOff, _) => Headline::WordLiftsOff(word),
-        (DecidedBy::StiffnessUnknown, _) => match &of.part {
+        (DecidedBy::SplitAssumed, _) => Headline::WordSplit(word),
+        (DecidedBy::StiffnessUnknown, _) => match of.part.clone() {
             None => Headline::WordNoStiffness(word),
-            Some(direction) => Headline::WordNoStiffnessIn {
-                word,
-                direction: direction.clone(),
-            },
+            Some(direction) => Headline::WordNoStiffnessIn { word, direction },
         },
         (DecidedBy::Contradicted, Some(known)) if known.is_finite() => Headline::WordIfRight {
             word,

@@ -3,7 +3,7 @@
 use crate::tilt_left_out::TiltLeftOut;
 use crate::wrong::{CaseRefused, OfRuns};
 use dolmen::structure::stack::Stack;
-use dolmen_project::{LoadPart, Project, Structure};
+use dolmen_project::{FramePart, LoadPart, Project, Structure};
 use dolmen_words::message::Both;
 
 /// A property that runs leave out.
@@ -16,6 +16,8 @@ pub(crate) struct LeftOutOfRuns {
     pub(crate) loosened: Vec<String>,
     /// A surveyed tilt.
     pub(crate) tilt: Option<TiltLeftOut>,
+    /// Free-standing columns beside joints, whose storeys keep their stiffness where feet lift off.
+    pub(crate) columns: bool,
 }
 
 impl LeftOutOfRuns {
@@ -39,6 +41,10 @@ impl LeftOutOfRuns {
                 }
                 Structure::Survey => None,
             },
+            columns: match &project.structure {
+                Structure::Frame(part) => has_columns_beside_joints(part),
+                _ => false,
+            },
         }
     }
 
@@ -53,9 +59,17 @@ impl LeftOutOfRuns {
             self.forces.then_some(OfRuns::ForcesLeftOut),
             (is_rigid && !self.loosened.is_empty()).then(|| OfRuns::LoosenedLeftOut(self.loosened.clone())),
             tilt,
+            self.columns.then_some(OfRuns::ColumnsLeftOut),
         ];
         all.into_iter().flatten().map(Both::from).collect()
     }
+}
+
+/// Whether a storey with free-standing columns has joints or walls in a direction of known stiffness.
+fn has_columns_beside_joints(part: &FramePart) -> bool {
+    let known = part.directions.iter().filter_map(|own| own.stiffness.as_ref());
+    let mut storeys = known.flat_map(|stiffness| part.storeys.iter().zip(stiffness));
+    storeys.any(|(storey, stiffness)| storey.columns.is_some() && stiffness.value != 0.0)
 }
 
 /// A sentence for each property that runs include in addition to the structure and its weight.

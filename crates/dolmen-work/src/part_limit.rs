@@ -62,8 +62,23 @@ pub struct Compared {
     pub parts: Vec<PartLimit>,
     /// Directions without a comparison.
     pub not_compared: Vec<NotCompared>,
+    /// Frames of one storey whose beds soften within these drifts, and share its stiffness with its joints.
+    pub splits: Vec<SplitDrift>,
     /// Whether joints have dry friction, so that the worse of sticking and free joints counts.
     pub rubs: bool,
+}
+
+/// The drift of a storey by the spectrum over both extremes of a stiffness that beds and joints share.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SplitDrift {
+    /// The direction.
+    pub direction: String,
+    /// Drift ratio with all of the stiffness in joints and walls.
+    pub in_joints: f64,
+    /// Drift ratio at which feet lift off with all of it in the beds.
+    pub uplift: f64,
+    /// The storey with all of it in the beds; an infinite demand where the spectrum asks for more than the columns have.
+    pub in_beds: PartLimit,
 }
 
 /// A direction without a comparison.

@@ -42,6 +42,7 @@ mod followed_alarms;
 mod followed_earthquakes;
 mod frame_loads;
 mod frames;
+mod gates;
 mod habits;
 mod handovers;
 mod identified_stiffness;

@@ -3,10 +3,9 @@
 use crate::building::{floor_words, millimetres, of_both, stroke_words};
 use crate::document::{Finding, Tone};
 use crate::limits;
-use crate::simulated::{seconds, version_name};
+use crate::simulated::{seconds, version_name, vertical_peak};
 use crate::text::GROWN;
 use dolmen::assess::demand::TorsionCode;
-use dolmen::signal::Component;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{Against, BuildingSimulation};
 
@@ -38,9 +37,9 @@ messages! {
             en: "the building starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
             ko: "건물은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 건물은 그 방향으로 더 변위한다.",
         },
-        VerticalLeftOut => {
-            en: "the vertical component of the motion, z, does not act: a building of floors knows no vertical shaking.",
-            ko: "지반운동의 연직 성분 z는 작용하지 않는다. 층 모델은 연직 진동을 고려하지 않는다.",
+        VerticalLeftOut(peak: Quantity) => {
+            en: "the vertical component of the motion, z, with a peak of {peak}, does not act: a building of floors knows no vertical shaking.",
+            ko: "지반운동의 연직 성분 z(최대 {peak})는 작용하지 않는다. 층 모델은 연직 진동을 고려하지 않는다.",
         },
         NoWind => {
             en: "the wind of the file does not blow during the motion; `dolmen check` says what it does.",
@@ -115,9 +114,8 @@ pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
         };
         all.push((Tone::Bad, said.into()));
     }
-    if simulation.motion.motion.has(Component::Z) {
-        all.push((Tone::Warn, Moved::VerticalLeftOut.into()));
-    }
+    let vertical = vertical_peak(&simulation.motion.motion);
+    all.extend(vertical.map(|peak| (Tone::Warn, Moved::VerticalLeftOut(peak).into())));
     if let Some(code) = simulation.drift_limit.as_ref().and_then(TorsionCode::of_limit) {
         let code = code.name().to_owned();
         all.push((Tone::Plain, Moved::NoAccidentalTorsion { code }.into()));

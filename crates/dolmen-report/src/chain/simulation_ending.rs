@@ -4,9 +4,9 @@ use super::side_supports::met;
 use crate::document::{Finding, Tone};
 use crate::simulated::{
     Simulated, capitalised, cut, kilo, millimetres, milliradians, seconds, undamped, under, version_name,
+    vertical_peak,
 };
 use dolmen::dynamics::ChainOutcome;
-use dolmen::signal::Component;
 use dolmen_project::ChainAxis;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::chain::ChainSimulation;
@@ -84,9 +84,9 @@ messages! {
             en: "Spring and friction below ‘{name}’ pass {moment}, more than the {most} at which its bed stands on its edge: unless posts or dowels beside the bed take the difference, it opens, and this run does not follow that.",
             ko: "‘{name}’ 하부의 스프링과 마찰이 전달하는 모멘트 {moment}이(가) 합력이 밑면 끝에 이르는 모멘트 {most}보다 크다. 지주나 촉이 그 차이를 부담하지 않으면 접합면이 벌어지며, 이 해석은 그 거동을 추적하지 못한다.",
         },
-        VerticalLeftOut => {
-            en: "The vertical component of the motion, z, does not act: a chain turns in one plane, and its beds bear what they bear at rest. Shaking upwards takes from that.",
-            ko: "지반운동의 연직 성분 z는 작용하지 않는다. 체인 모델은 한 평면에서 회전하며 접합면의 축력은 정적 상태의 값이다. 연직 진동은 그 축력을 줄일 수 있다.",
+        VerticalLeftOut(peak: Quantity) => {
+            en: "The vertical component of the motion, z, with a peak of {peak}, does not act: a chain turns in one plane, and its beds bear what they bear at rest. Shaking upwards takes from that.",
+            ko: "지반운동의 연직 성분 z(최대 {peak})는 작용하지 않는다. 체인 모델은 한 평면에서 회전하며 접합면의 축력은 정적 상태의 값이다. 연직 진동은 그 축력을 줄일 수 있다.",
         },
         WordStood => { en: "stood", ko: "안정 유지" },
         WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
@@ -187,8 +187,8 @@ pub(super) fn loads(simulation: &ChainSimulation) -> Vec<Finding> {
     let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
     let carries = carries.map(|said| Finding::key(Tone::Plain, said));
     let motion = simulation.motion.as_ref();
-    let vertical = motion.is_some_and(|(of, _)| of.motion.has(Component::Z));
-    let vertical = vertical.then_some(Ending::VerticalLeftOut);
+    let vertical = motion.and_then(|(of, _)| vertical_peak(&of.motion));
+    let vertical = vertical.map(Ending::VerticalLeftOut);
     let left_out = left_out.into_iter().chain(vertical);
     let left_out = left_out.map(|said| Finding::key(Tone::Warn, said));
     carries.into_iter().chain(left_out).collect()

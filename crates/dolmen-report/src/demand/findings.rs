@@ -10,7 +10,7 @@ use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
-use dolmen_work::part_limit::{Limited, NotCompared, PartLimit, WhyNotCompared, worst_part};
+use dolmen_work::part_limit::{Limited, NotCompared, PartLimit, SplitDrift, WhyNotCompared, worst_part};
 use dolmen_work::state::DemandAnswer;
 
 /// Digits of accelerations and ratios.
@@ -99,6 +99,14 @@ messages! {
             en: "Joints with dry friction are held against the site as free and as sticking, where the whole moves with the ground: the larger moment counts. A part that sticks while others turn is not tried.",
             ko: "마찰이 있는 접합부는 자유로운 경우와 고착되어 전체가 지반과 함께 움직이는 경우 중 큰 모멘트로 부지의 지진과 비교하였다. 일부만 고착된 경우는 검토하지 않았다.",
         },
+        Split { direction: String, storey: String, joints: Quantity, beds: Quantity, lifts: Quantity } => {
+            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints, and by about {beds} with all of it in the beds of its columns, which soften where feet lift off at {lifts} (secant stiffness). `dolmen simulate` follows both.",
+            ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}, 모두 기둥 지압면의 강성이면 약 {beds}이며, 뒤의 경우 {lifts}에서 주각이 들려 강성이 낮아진다(할선 강성). `dolmen simulate`는 두 경우를 모두 해석한다.",
+        },
+        SplitFalls { direction: String, storey: String, joints: Quantity, lifts: Quantity } => {
+            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints; with all of it in the beds of its columns, which soften where feet lift off at {lifts}, the spectrum asks for more than they have. `dolmen simulate` follows both.",
+            ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}이다. 모두 기둥 지압면의 강성이면 {lifts}에서 주각이 들려 강성이 낮아지며, 스펙트럼의 요구가 기둥의 저항을 넘는다. `dolmen simulate`는 두 경우를 모두 해석한다.",
+        },
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
         NotCompared(why: Both) => {
             en: "The demand of the site is not compared: {why}.",
@@ -161,11 +169,35 @@ pub(crate) fn findings(
         .compared
         .rubs
         .then(|| Finding::key(Tone::Plain, Found::Rubs));
-    let parts = parts.chain(rubs);
+    let splits = answer.compared.splits.iter();
+    let splits = splits.map(|of| Finding::key(Tone::Warn, split(of)));
+    let parts = parts.chain(splits).chain(rubs);
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
     let compared = compared.into_iter().chain(refused).chain(without).chain(parts);
     let local = local_mechanisms::finding(&answer.local_mechanisms);
     compared.chain(local).chain(unverified).collect()
+}
+
+/// The range of the drift of a storey whose beds and joints share its stiffness.
+fn split(of: &SplitDrift) -> Found {
+    let share = |ratio: f64| Quantity::percent(ratio, DIGITS);
+    let (direction, storey) = (of.direction.clone(), of.in_beds.part.name().to_owned());
+    let (joints, lifts) = (share(of.in_joints), share(of.uplift));
+    match of.in_beds.demand.is_finite() {
+        true => Found::Split {
+            direction,
+            storey,
+            joints,
+            beds: share(of.in_beds.demand),
+            lifts,
+        },
+        false => Found::SplitFalls {
+            direction,
+            storey,
+            joints,
+            lifts,
+        },
+    }
 }
 
 /// Why a direction was not compared.

@@ -1,13 +1,14 @@
 //! How simulated frames ended.
 
 use super::beside;
+use super::split;
 use super::tenons;
 use super::title::title;
 use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{
     Simulated, capitalised, cut, kilo, left, milli, millimetres, milliradians, seconds, undamped, under,
-    version_name,
+    version_name, vertical_peak,
 };
 use dolmen::assess::demand::DRIFT_RATIO_MOST;
 use dolmen::dynamics::{ColumnOutcome, FrameOutcome, RockingOutcome, StoreyFriction};
@@ -113,6 +114,10 @@ messages! {
             en: "Forces of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
             ko: "이 해석에는 정하중의 힘과 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
         },
+        VerticalLeftOut(peak: Quantity) => {
+            en: "The vertical component of the motion, z, with a peak of {peak}, does not act: the axial forces of a frame are those at rest.",
+            ko: "지반운동의 연직 성분 z(최대 {peak})는 작용하지 않는다. 골조의 축력은 정적 상태의 값이다.",
+        },
         AtRest => { en: "At the end it is at rest.", ko: "종료 시 정지 상태이다." },
         Moving => {
             en: "At the end it is still moving: what is left is where it comes to rest if nothing slips any more.",
@@ -152,7 +157,8 @@ pub(super) fn columns(simulation: &FrameSimulation) -> Vec<Finding> {
     let of_columns = match &simulation.columns {
         ColumnsInMotion::Absent => return Vec::new(),
         ColumnsInMotion::SeveralStoreys => Finding::new(Tone::Plain, Ending::ColumnsNeedOneStorey),
-        ColumnsInMotion::BesideJoints => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
+        ColumnsInMotion::BesideJoints(None) => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
+        ColumnsInMotion::BesideJoints(Some(run)) => return vec![split::finding(simulation, run)],
         ColumnsInMotion::OnBeds(run) => return vec![on_beds(simulation, run)],
         ColumnsInMotion::BothComponents => Finding::new(Tone::Plain, Ending::ColumnsNeedOneComponent),
         ColumnsInMotion::Alone(alone) => columns_alone(simulation, alone),
@@ -336,7 +342,7 @@ pub(super) fn tilt_left_out(simulation: &FrameSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
-/// Static loads and wind that are in the run, and those that are not.
+/// Static loads and wind that are in the run, and what is not: also vertical shaking.
 pub(super) fn loads(simulation: &FrameSimulation) -> Vec<Finding> {
     let carries = (simulation.carried_n != 0.0).then(|| {
         Ending::Carries(Quantity::new(
@@ -347,6 +353,8 @@ pub(super) fn loads(simulation: &FrameSimulation) -> Vec<Finding> {
     });
     let carries = carries.map(|said| Finding::key(Tone::Plain, said));
     let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
+    let vertical = vertical_peak(&simulation.motion.motion).map(Ending::VerticalLeftOut);
+    let left_out = left_out.into_iter().chain(vertical);
     let left_out = left_out.map(|said| Finding::key(Tone::Warn, said));
     carries.into_iter().chain(left_out).collect()
 }

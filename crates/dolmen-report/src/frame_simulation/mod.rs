@@ -4,6 +4,7 @@ mod beside;
 mod ending;
 mod friction;
 mod run;
+mod split;
 mod storeys;
 mod tenons;
 mod title;
@@ -15,7 +16,6 @@ use crate::figures::FramePlot;
 use crate::limits;
 use crate::simulated::{Simulated, capitalised, motion_section, undamped};
 use dolmen::dynamics::FrameOutcome;
-use dolmen::signal::Component;
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::frame::FrameSimulation;
 
@@ -51,13 +51,14 @@ messages! {
 }
 
 /// Templates of the sentences on simulated frames.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     beside::Beside::TEMPLATES,
     ending::Ending::TEMPLATES,
     Shown::TEMPLATES,
     storeys::Storeys::TEMPLATES,
     friction::Friction::TEMPLATES,
     run::Run::TEMPLATES,
+    split::Split::TEMPLATES,
     tenons::Tenons::TEMPLATES,
     title::Title::TEMPLATES,
 ];
@@ -109,9 +110,6 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
-    if simulation.motion.motion.has(Component::Z) {
-        document.note(run::Run::VerticalLeftOut);
-    }
     document.put(Block::Table(storeys::model(simulation)));
     friction::notes(document, &simulation.frame);
     document.put(Block::Table(storeys::response(simulation)));

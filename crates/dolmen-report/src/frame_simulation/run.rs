@@ -31,10 +31,6 @@ messages! {
             en: "Both directions in equal steps, since they share friction: {duration} in {steps} steps, springs, dashpots and inertia by the trapezoidal rule, friction at the end of each step; changes between sticking and slipping: {events}.",
             ko: "두 방향이 마찰을 나누어 쓰므로 같은 시간 간격으로 함께 적분하였다({duration}, {steps}단계). 스프링·감쇠·관성은 사다리꼴 법칙, 마찰은 각 단계의 끝에서 계산하였다. 고착·미끄러짐이 바뀐 횟수: {events}.",
         },
-        VerticalLeftOut => {
-            en: "z does not act: a frame knows no vertical shaking.",
-            ko: "연직 성분 z는 작용하지 않는다. 골조 모델은 연직 진동을 고려하지 않는다.",
-        },
         Assumed => {
             en: "Springs are linear, drifts small, axial forces those at rest. Coefficients of friction are rarely measured: look at several.",
             ko: "강성은 선형, 변형은 미소, 축력은 정적 상태의 값이다. 마찰계수는 대개 측정되지 않으므로 여러 값을 검토한다.",

@@ -23,6 +23,13 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "limits": parts_json(&answer.compared.parts, answer.drift_limit.as_ref()),
         "not_compared": answer.compared.not_compared.iter().map(not_compared).collect::<Vec<_>>(),
+        "stiffness_shared": answer.compared.splits.iter().map(|of| as_json!({
+            "direction": of.direction,
+            "storey": of.in_beds.part.name(),
+            "drift_all_in_joints": of.in_joints,
+            "drift_all_in_beds": Some(of.in_beds.demand).filter(|drift| drift.is_finite()),
+            "lift_off_drift": of.uplift,
+        })).collect::<Vec<_>>(),
         "spectral": answer.spectral,
         "refused": answer.refused.as_ref().map(|why| &why.english),
         "stack": answer.stack.as_ref().map(stack),

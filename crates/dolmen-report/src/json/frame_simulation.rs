@@ -51,6 +51,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "loads_left_out": simulation.loads_left_out,
         "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent && simulation.on_beds().is_none(),
         "columns_alone": columns_alone(&simulation.columns),
+        "all_stiffness_in_beds": simulation.all_in_beds().map(columns_on_beds),
         "together": simulation.together.as_ref().map(together),
         "lean": simulation.lean.as_ref().map(|lean| as_json!({
             "survey": lean.survey, "tilt": lean.written, "tilt_in_direction": simulation.tilt,
@@ -131,7 +132,7 @@ fn columns_alone(columns: &ColumnsInMotion) -> Value {
         ColumnsInMotion::OnBeds(run) => return columns_on_beds(run),
         ColumnsInMotion::Absent
         | ColumnsInMotion::SeveralStoreys
-        | ColumnsInMotion::BesideJoints
+        | ColumnsInMotion::BesideJoints(_)
         | ColumnsInMotion::BothComponents => return Value::Null,
     };
     let (block, history) = (&alone.rocks_like, &alone.history);

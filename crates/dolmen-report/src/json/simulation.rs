@@ -6,7 +6,7 @@ use super::with::with;
 use crate::as_json;
 use crate::stack_simulation::points_a_side;
 use dolmen::blocks::{Outcome, PeakBearing, SlidingOutcome, StackHistory};
-use dolmen::signal::Component;
+use dolmen::signal::{Component, GroundMotion, Processing};
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_work::judgement::judge_stack_run;
 use dolmen_work::motion::MotionAnswer;
@@ -166,8 +166,18 @@ pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
             "peak_read_m_s2": read(component),
             "peak_acceleration_m_s2": motion.component_peak_m_s2(*component),
         })).collect::<Vec<_>>(),
+        "scale_factor": scale_factor(motion),
         "history": motion.history().iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
+}
+
+/// The factor on the motion as read, of all scales together; `null` for two motions in sequence, each with its own.
+fn scale_factor(motion: &GroundMotion) -> Option<f64> {
+    let factors = motion.history().iter().map(|step| match step {
+        Processing::Scaled { factor } => *factor,
+        _ => 1.0,
+    });
+    (!motion.history().is_empty()).then(|| factors.product())
 }
 
 fn outcome(simulation: &StackSimulation) -> Value {

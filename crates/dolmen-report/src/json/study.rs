@@ -61,6 +61,9 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
             "limit": of.limit, "lean": of.lean, "before": of.before, "scans": of.scans, "beyond": of.beyond,
             "beyond_at_rest": of.at_rest, "least_m_s2": of.least_m_s2,
         })),
+        "crushed_tenons": answer.crushed_tenons().map(|of| as_json!({
+            "scans": of.scans, "crushed": of.crushed, "least_m_s2": of.least_m_s2, "depth_most_m": of.depth_m,
+        })),
         "runs": answer.runs.len(),
         "outcomes": outcomes,
         "runs_beyond_room": answer.beyond_room().map_or(0, |(beyond, ..)| beyond),

@@ -136,6 +136,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         Check::Stack(answer) => Some(&answer.stack),
         _ => None,
     };
+    all.extend(on_frames::slipping(answer));
     all.extend(on_frames::drifts(project, answer));
     if matches!(state.check, Check::Building(_)) {
         let is_contradicted = Evidence::of(project, &state.check).is_contradicted();

@@ -16,6 +16,10 @@ messages! {
             en: "Along direction {direction} the wind meets {area} and pushes with {force}; its pressure at the top is {pressure}. It blows both ways.",
             ko: "{direction} 방향의 바람은 면적 {area}에 합력 {force}(으)로 작용하며 최상단 풍압은 {pressure}이다. 양쪽 풍향을 검토하였다.",
         },
+        Slipping { direction: String, stuck: Quantity, slipping: Quantity, force: Quantity, slipping_force: Quantity } => {
+            en: "Direction {direction}: the gust slips joints, and with all of them slipping the frame swings at {slipping} in place of {stuck}. The wind at that frequency pushes with {slipping_force} in place of {force}; it acts where joints slip.",
+            ko: "{direction} 방향: 돌풍에 접합부가 미끄러진다. 모두 미끄러지면 고유진동수가 {stuck}에서 {slipping}(으)로 낮아지고, 그 진동수의 풍하중 합력은 {force}이(가) 아니라 {slipping_force}이다. 접합부가 미끄러지는 상태에 이 값을 쓴다.",
+        },
         Storeys { what: Sentence, direction: String } => {
             en: "{what}: storeys in direction {direction}.",
             ko: "{what}: {direction} 방향 층별 결과.",
@@ -137,6 +141,10 @@ pub(super) fn borne(project: &Project, what: Sentence, frame: &FrameCombination)
     Some(Finding::key(tone, said))
 }
 
+fn hertz(frequency_hz: f64) -> Quantity {
+    Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(DIGITS))
+}
+
 fn unknown(what: Sentence, frame: &FrameCombination) -> Finding {
     let directions = frame.unknown.join(", ");
     Finding::key(Tone::Unknown, Found::FrameUnknown { what, directions })
@@ -237,6 +245,22 @@ pub(super) fn wind(of: &FrameWind) -> OnFrames {
         force: Quantity::engineering(met.force_n, "N", DIGITS + 1),
         pressure: Quantity::engineering(met.pressure_at_top_pa, "Pa", DIGITS + 1),
     }
+}
+
+/// The wind along each direction whose joints a gust slips.
+pub(super) fn slipping(answer: &LoadsAnswer) -> Vec<Finding> {
+    let each = answer.frame_winds.iter().filter_map(|of| {
+        let slipping = &of.slipping.as_ref()?.met;
+        let said = OnFrames::Slipping {
+            direction: of.direction.clone(),
+            stuck: hertz(of.met.frequency_hz?),
+            slipping: hertz(slipping.frequency_hz?),
+            force: Quantity::engineering(of.met.force_n, "N", DIGITS + 1),
+            slipping_force: Quantity::engineering(slipping.force_n, "N", DIGITS + 1),
+        };
+        Some(Finding::key(Tone::Plain, said))
+    });
+    each.collect()
 }
 
 /// The governing storey of a combination, in a table.

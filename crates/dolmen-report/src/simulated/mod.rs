@@ -5,7 +5,7 @@ mod names;
 mod undamped;
 mod units;
 
-pub(crate) use motion::{doubted, doubted_of, motion_section, steps_of};
+pub(crate) use motion::{doubted, doubted_of, motion_section, steps_of, vertical_peak};
 pub(crate) use names::{Simulated, capitalised, cut, under, version_name};
 pub(crate) use undamped::undamped;
 pub(crate) use units::{energy_unit, kilo, left, milli, millimetres, milliradians, seconds, seconds_whole};

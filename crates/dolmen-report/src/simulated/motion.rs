@@ -210,6 +210,17 @@ fn caption(motion: &GroundMotion) -> Vec<Sentence> {
     caption
 }
 
+/// The largest vertical acceleration; `None` for a motion without z.
+pub(crate) fn vertical_peak(motion: &GroundMotion) -> Option<Quantity> {
+    let in_g = Unit {
+        symbol: "g".to_owned(),
+        factor: 1.0 / STANDARD_GRAVITY_M_S2,
+    };
+    let peak_m_s2 = motion.component_peak_m_s2(Component::Z);
+    let has_vertical = motion.has(Component::Z);
+    has_vertical.then(|| Quantity::new(peak_m_s2, in_g, Digits::Significant(3)))
+}
+
 /// The largest horizontal acceleration if both components are given.
 fn together_m_s2(motion: &GroundMotion) -> Option<f64> {
     let both = [Component::X, Component::Y];

@@ -40,6 +40,10 @@ messages! {
             en: "Peak acceleration of the ground at which a storey first leans by more than 10 %.",
             ko: "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도.",
         },
+        FrameOnColumns => {
+            en: "Peak acceleration of the ground at which it first falls: columns alone have no resistance left, or a storey leans by more than 10 %.",
+            ko: "처음 전도되는 최대지반가속도. 기둥만으로 지지되는 층의 저항이 없어지거나 층간변위가 층고의 10 %를 넘는 경우이다.",
+        },
         Building => {
             en: "Peak acceleration of the ground at which a storey first drifts beyond the last limit.",
             ko: "층간변위가 처음 최종 한계를 넘는 최대지반가속도.",
@@ -122,6 +126,7 @@ fn table(answer: &StudyAnswer) -> Table {
     let what = match answer.kind {
         StudyKind::Stack => Capacities::Stack,
         StudyKind::Chain => Capacities::Chain,
+        StudyKind::Frame if answer.on_columns => Capacities::FrameOnColumns,
         StudyKind::Frame => Capacities::Frame,
         StudyKind::Building => Capacities::Building,
     };

@@ -1,7 +1,7 @@
 //! Main findings of a study: capacity, doubts about it, trends, the worst state.
 
 use super::words::{Words, g, state};
-use super::{before, capacities, doubts, hazard, releases, run, scatter, trends, words};
+use super::{before, capacities, doubts, hazard, releases, run, scatter, tenons, trends, words};
 use crate::document::{Finding, Tone};
 use dolmen::assess::Reached;
 use dolmen::numeric::clopper_pearson;
@@ -153,6 +153,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all.extend(fell_alone(answer));
     all.extend(found);
     all.extend(by_variant(answer));
+    all.extend(tenons::finding(answer));
     all.extend(capacities::milder_states(answer).map(|said| Finding::key(Tone::Plain, said)));
     all.extend(left_out);
     all.extend(run::copies(answer).map(|said| Finding::key(Tone::Warn, said)));

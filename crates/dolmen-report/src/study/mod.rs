@@ -14,6 +14,7 @@ mod releases;
 mod run;
 mod scatter;
 mod sufficiency;
+mod tenons;
 mod trends;
 mod words;
 
@@ -35,7 +36,7 @@ messages! {
 }
 
 /// Templates of the sentences on studies.
-pub(crate) const TEMPLATES: [&[Template]; 17] = [
+pub(crate) const TEMPLATES: [&[Template]; 18] = [
     findings::Found::TEMPLATES,
     Study::TEMPLATES,
     run::Done::TEMPLATES,
@@ -52,6 +53,7 @@ pub(crate) const TEMPLATES: [&[Template]; 17] = [
     joints::Joints::TEMPLATES,
     releases::Releases::TEMPLATES,
     drawn::Drawn::TEMPLATES,
+    tenons::Crushed::TEMPLATES,
     words::Words::TEMPLATES,
 ];
 

@@ -41,9 +41,8 @@ pub(crate) fn by_spectrum(
     if part.side_supports.iter().any(is_loose) {
         let why = WhyNotCompared::LoosePost;
         return Ok(Compared {
-            parts: Vec::new(),
             not_compared: vec![NotCompared { direction: None, why }],
-            rubs: false,
+            ..Compared::default()
         });
     }
     match at_rest {
@@ -97,9 +96,8 @@ fn along_alone(
     damping_ratio: f64,
 ) -> Result<Compared, WorkError> {
     let none = |why| Compared {
-        parts: Vec::new(),
         not_compared: vec![NotCompared { direction: None, why }],
-        rubs: false,
+        ..Compared::default()
     };
     let Some(stiffness) = part.stiffness_n_m_rad(&mut Quantity::nominal) else {
         return Ok(none(WhyNotCompared::StiffnessUnknown));
@@ -121,8 +119,8 @@ fn along_alone(
     });
     Ok(Compared {
         parts: parts.collect(),
-        not_compared: Vec::new(),
         rubs: rubs(part),
+        ..Compared::default()
     })
 }
 
@@ -148,9 +146,8 @@ fn by_spectrum_all_round(
             },
         };
         return Ok(Compared {
-            parts: Vec::new(),
             not_compared: vec![not_compared],
-            rubs: false,
+            ..Compared::default()
         });
     }
     let taken = |axis: usize, joint: usize| {
@@ -201,8 +198,8 @@ fn by_spectrum_all_round(
     }
     Ok(Compared {
         parts,
-        not_compared: Vec::new(),
         rubs: rubs(part),
+        ..Compared::default()
     })
 }
 

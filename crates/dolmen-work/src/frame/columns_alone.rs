@@ -4,8 +4,9 @@ use super::together::Leaning;
 use crate::error::WorkError;
 use dolmen::dynamics::{
     ColumnHistory, ColumnOutcome, ColumnRun, Rocking, RockingBlock, RockingHistory, RockingOutcome,
-    TimeFunction, rock_block, rock_on_beds,
+    StoreyFriction, TimeFunction, rock_block, rock_on_beds,
 };
+use dolmen::stability::FreeColumns;
 use dolmen_project::{FramePart, Quantity};
 
 /// Result of a simulation for the free-standing columns of a frame.
@@ -15,8 +16,9 @@ pub enum ColumnsInMotion {
     Absent,
     /// The frame has such columns, but several storeys.
     SeveralStoreys,
-    /// The frame has such columns on compliant beds, where rigid columns would stand too long, beside joints and walls.
-    BesideJoints,
+    /// The frame has such columns on compliant beds beside joints and walls, and how they share its stiffness is assumed: its motion with all
+    /// of it in the beds; `None` where joints rub or have slack, which such a motion does not have.
+    BesideJoints(Option<Box<ColumnsOnBeds>>),
     /// The motion of the frame on such columns on compliant beds, which alone support it.
     OnBeds(Box<ColumnsOnBeds>),
     /// The frame has such columns, but the ground moves along x and y: rolling on a corner or around the edge is not
@@ -95,7 +97,20 @@ pub(super) fn on_beds(
     ground: &TimeFunction,
     (duration_s, output_step_s): (f64, f64),
 ) -> Result<Option<ColumnsOnBeds>, WorkError> {
-    let ([Some(alone)], [storey]) = (leaning.alone.as_slice(), leaning.frame.frame().storeys()) else {
+    let [Some(alone)] = leaning.alone.as_slice() else {
+        return Ok(None);
+    };
+    rocking(&alone.columns, leaning, ground, (duration_s, output_step_s))
+}
+
+/// A frame of one storey on these columns alone; `None` for several storeys.
+fn rocking(
+    columns: &FreeColumns,
+    leaning: &Leaning,
+    ground: &TimeFunction,
+    (duration_s, output_step_s): (f64, f64),
+) -> Result<Option<ColumnsOnBeds>, WorkError> {
+    let [storey] = leaning.frame.frame().storeys() else {
         return Ok(None);
     };
     let run = ColumnRun {
@@ -105,11 +120,32 @@ pub(super) fn on_beds(
         ..ColumnRun::of(storey.mass_kg, duration_s)
     };
     Ok(Some(ColumnsOnBeds {
-        count: alone.columns.count(),
+        count: columns.count(),
         height_m: storey.height_m,
-        history: rock_on_beds(&alone.columns, ground, &run)?,
+        history: rock_on_beds(columns, ground, &run)?,
         run,
     }))
+}
+
+/// A frame of one storey whose beds and joints share its stiffness, with all of it in the beds; `None` where joints rub or have slack, and
+/// where such columns do not stand.
+fn all_in_beds(
+    columns: &FreeColumns,
+    leaning: &Leaning,
+    ground: &TimeFunction,
+    how: (f64, f64),
+) -> Result<Option<ColumnsOnBeds>, WorkError> {
+    let frame = &leaning.frame;
+    let rubs = frame.friction().iter().any(|of| *of != StoreyFriction::None);
+    let has_slack = frame.tenons().iter().any(Option::is_some);
+    let ([stiffness_n_m], false) = (frame.stiffness_n_m(), rubs || has_slack) else {
+        return Ok(None);
+    };
+    let columns = columns.on_beds_of(*stiffness_n_m);
+    match columns.standing()? {
+        Some(_) => rocking(&columns, leaning, ground, how),
+        None => Ok(None),
+    }
 }
 
 /// Simulates the frame on its columns alone, for the duration of the frame's own run; no run with two components.
@@ -132,12 +168,20 @@ pub(super) fn columns_in_motion(
         return Ok(ColumnsInMotion::Absent);
     };
     let leaning = Leaning::of(part, direction, pick)?;
-    let run = leaning.map(|leaning| on_beds(&leaning, ground, (duration_s, output_step_s)));
+    let how = (duration_s, output_step_s);
+    let run = leaning.as_ref().map(|leaning| on_beds(leaning, ground, how));
     if let Some(run) = run.transpose()?.flatten() {
         return Ok(ColumnsInMotion::OnBeds(Box::new(run)));
     }
     if columns.bed_stiffness.is_some() {
-        return Ok(ColumnsInMotion::BesideJoints);
+        let run = leaning.map(|leaning| {
+            let [own] = leaning.frame.frame().storeys() else {
+                return Ok(None);
+            };
+            all_in_beds(&columns.build(own, pick)?, &leaning, ground, how)
+        });
+        let run = run.transpose()?.flatten();
+        return Ok(ColumnsInMotion::BesideJoints(run.map(Box::new)));
     }
     let (width_m, height_m) = (pick(columns.foot.width()), pick(&storey.height));
     // the file does not give the weight of the columns; as in the check, all mass is in the beam

@@ -5,9 +5,10 @@ use super::columns::{AloneStorey, alone_storeys};
 use super::lean::leaning;
 use super::loads::with_loads;
 use super::simulate::storey_names;
+use super::split::in_beds;
 use super::tenons::bearing_n_m;
 use crate::error::WorkError;
-use crate::part_limit::{Compared, NotCompared, Part, PartLimit, WhyNotCompared};
+use crate::part_limit::{Compared, NotCompared, Part, PartLimit, SplitDrift, WhyNotCompared};
 use dolmen::assess::demand::{DriftLimit, SiteDemand, frame_drifts_by_spectrum};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen::structure::Frame;
@@ -25,7 +26,9 @@ pub(crate) fn by_spectrum(
     let mut compared = Compared::default();
     for (place, direction) in part.directions.iter().enumerate() {
         let name = &direction.name;
-        let drifts = match drifts(part, &frame, direction, site) {
+        let own = direction.damping_ratio.as_ref().map(|own| own.value);
+        let damping_ratio = site.damping_ratio_of(own);
+        let drifts = match drifts(part, &frame, direction, (site, damping_ratio)) {
             Err(WorkError::Assess(_)) => Err(WhyNotCompared::NoSpectrum),
             drifts => drifts?,
         };
@@ -49,6 +52,16 @@ pub(crate) fn by_spectrum(
         let each = storeys.zip(drifts).zip(leans.into_iter().zip(across)).zip(&alone);
         let mut lifts_off = false;
         for ((((storey, of), drift_m), (along, across)), alone) in each {
+            let split = in_beds((part, &frame), direction, (site, damping_ratio), drift_m)?;
+            compared.splits.extend(split.map(|(uplift, drift)| {
+                SplitDrift {
+                    direction: name.clone(),
+                    in_joints: drift_m / of.height_m,
+                    uplift,
+                    in_beds: PartLimit::of_drift(Part::Storey(storey.clone()), name, drift, limit)
+                        .taking([along, across]),
+                }
+            }));
             let pushed = along.abs() - part.tilt(name).abs();
             let compared_part = PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
                 .taking([along, across])
@@ -109,10 +122,8 @@ fn drifts(
     part: &FramePart,
     frame: &Frame,
     direction: &DirectionPart,
-    site: &SiteDemand,
+    (site, damping_ratio): (&SiteDemand, f64),
 ) -> Result<Result<Vec<f64>, WhyNotCompared>, WorkError> {
-    let own = direction.damping_ratio.as_ref().map(|own| own.value);
-    let damping_ratio = site.damping_ratio_of(own);
     let Some(stuck) = part.stiffness_n_m(&direction.name, &mut Quantity::nominal) else {
         return Ok(Err(WhyNotCompared::StiffnessUnknown));
     };
@@ -141,6 +152,24 @@ fn drifts(
 }
 
 impl FrameSimulation {
+    /// The drift of a frame of one storey compared with its allowable drift, as [`FrameSimulation::parts`], where the beds of its columns have
+    /// all of its stiffness; empty without such a run.
+    pub fn parts_all_in_beds(&self) -> Vec<PartLimit> {
+        let ([storey], [name]) = (self.frame.frame().storeys(), self.storeys.as_slice()) else {
+            return Vec::new();
+        };
+        let together = self.lean.as_ref().map_or(0.0, |lean| lean.together);
+        let across = (together * together - self.tilt * self.tilt).max(0.0).sqrt();
+        let pushed = self.static_drifts.first().copied().unwrap_or(0.0);
+        let parts = self.all_in_beds().map(|run| {
+            let drift = run.history.peak_drift_m / storey.height_m;
+            let part = Part::Storey(name.clone());
+            PartLimit::of_drift(part, &self.direction, drift, self.drift_limit.as_ref())
+                .taking([self.tilt.abs() + pushed, across])
+        });
+        parts.into_iter().collect()
+    }
+
     /// The drift of each storey compared with its allowable drift, reduced by the surveyed lean; under two components also both directions
     /// together. Where columns alone support the frame and lift off, the larger drift of their springs and of their own curve counts.
     pub fn parts(&self) -> Vec<PartLimit> {

@@ -5,12 +5,18 @@ use super::wind::wind_met;
 use crate::error::WorkError;
 use crate::loads::{
     CombinationAnswer, Combined, DirectionUnderLoads, FrameCombination, FrameWind, LoadedStorey, LoadsAnswer,
+    SlippingWind,
 };
 use crate::state::DirectionCheck;
+use dolmen::assess::FrameCheck;
 use dolmen::assess::demand::DRIFT_RATIO_MOST;
+use dolmen::dynamics::StoreyFriction;
 use dolmen::stability::{FramePush, FreeColumns, frame_stability, frame_under_loads};
+use dolmen::structure::wind::WindError;
 use dolmen::structure::{Frame, lowest_frequency_hz};
-use dolmen_project::{CombinationPart, DirectionPart, FramePart, LoadPart, LoadsPart, Pick, Quantity};
+use dolmen_project::{
+    CombinationPart, DirectionPart, FramePart, LoadPart, LoadsPart, Pick, Quantity, WindGiven,
+};
 
 /// The response of a frame to wind and static loads; `None` without such loads.
 pub(crate) fn loads(
@@ -35,8 +41,14 @@ pub(crate) fn loads(
     };
     for (direction, check) in checks.iter().enumerate() {
         let Some(wind) = given.wind() else { break };
-        let frequency_hz = lowest_frequency_hz(&check.check.modes);
-        match wind_met(part, (wind, direction), frequency_hz, &frame, pick) {
+        let met = wind_of(
+            part,
+            (wind, direction),
+            check,
+            (&frame, largest_factor(given)),
+            pick,
+        )?;
+        match met {
             Ok(met) => answer.frame_winds.push(met),
             Err(why) => {
                 answer.frame_winds.clear();
@@ -63,6 +75,92 @@ pub(crate) fn loads(
     Ok(Some(answer))
 }
 
+/// The largest factor of a combination on the wind.
+fn largest_factor(given: &LoadsPart) -> f64 {
+    let each = given.combinations.iter().map(|of| of.wind.abs());
+    each.fold(0.0, f64::max)
+}
+
+/// The wind along a direction, and, where its gust times `factor` slips a joint, the wind at the frequency of slipping joints.
+fn wind_of(
+    part: &FramePart,
+    (wind, direction): (&WindGiven, usize),
+    check: &DirectionCheck,
+    (frame, factor): (&Frame, f64),
+    pick: Pick<'_>,
+) -> Result<Result<FrameWind, WindError>, WorkError> {
+    let at = |check: &FrameCheck, pick: Pick<'_>| {
+        let frequency_hz = lowest_frequency_hz(&check.modes);
+        wind_met(part, (wind, direction), frequency_hz, frame, pick)
+    };
+    let mut met = match at(&check.check, pick) {
+        Ok(met) => met,
+        Err(why) => return Ok(Err(why)),
+    };
+    // without a frequency it falls while its joints slip, in any wind
+    let softer = check.slipping.as_ref();
+    let softer = softer.filter(|of| lowest_frequency_hz(&of.modes).is_some());
+    let gust_n: Vec<f64> = met.levels_n.iter().map(|force| factor * force).collect();
+    if let Some(softer) = softer
+        && gust_slips(part, &part.directions[direction].name, &gust_n, pick)?
+    {
+        match at(softer, pick) {
+            Ok(slipping) => {
+                met.slipping = Some(SlippingWind {
+                    met: slipping.met,
+                    levels_n: slipping.levels_n,
+                });
+            }
+            Err(why) => return Ok(Err(why)),
+        }
+    }
+    Ok(Ok(met))
+}
+
+/// Whether forces at the levels bring the joints of a storey to their slip force, leaning as surveyed: (k − k_slip) δ of the stuck frame
+/// against the static slip force.
+fn gust_slips(
+    part: &FramePart,
+    direction: &str,
+    forces_n: &[f64],
+    pick: Pick<'_>,
+) -> Result<bool, WorkError> {
+    let (Some(slipping), Some(stuck_n_m)) = (
+        part.with_friction(direction, pick)?,
+        part.stiffness_n_m(direction, pick),
+    ) else {
+        return Ok(false);
+    };
+    let push = FramePush {
+        forces_n,
+        columns: &vec![None; forces_n.len()],
+        tilt: part.tilt(direction),
+        drift_ratio_most: DRIFT_RATIO_MOST,
+    };
+    let pushed = frame_under_loads(slipping.frame(), &stuck_n_m, &push)?;
+    let mut each = pushed
+        .storeys
+        .iter()
+        .zip(slipping.friction())
+        .zip(slipping.frame().storeys());
+    Ok(each.any(|((of, friction), storey)| {
+        let StoreyFriction::Jenkins {
+            stuck_stiffness_n_m,
+            static_force_n,
+            ..
+        } = *friction
+        else {
+            return false;
+        };
+        // a storey that cannot resist the gust slips in any case
+        let (Some(drift_m), Some(lean)) = (of.drift_m, of.lean_at_rest) else {
+            return true;
+        };
+        let leaning_m = (lean - push.tilt.abs()) * storey.height_m;
+        stuck_stiffness_n_m * (drift_m + leaning_m) >= static_force_n
+    }))
+}
+
 /// The frame under a combination.
 fn under(
     (part, combination): (&FramePart, &CombinationPart),
@@ -83,11 +181,11 @@ fn under(
             continue;
         };
         let still = forces_on_levels(part, direction, loads, pick);
-        let blown = winds.get(i).map(|wind| wind.levels_n.as_slice());
         let slipping = part.slipping_stiffness_n_m(&direction.name, pick);
         let mut storeys: Vec<LoadedStorey> = Vec::new();
         for (slips, stiffness) in [(false, Some(stuck)), (true, slipping)] {
             let Some(stiffness) = stiffness else { continue };
+            let blown = winds.get(i).map(|wind| wind.levels_in(slips));
             let factor = frame_stability(&frame, &stiffness)?.load_factor;
             found.weight_factor = Some(found.weight_factor.map_or(factor, |least| least.min(factor)));
             for way in [1.0, -1.0] {

@@ -9,6 +9,7 @@ pub(crate) mod limits;
 pub(crate) mod loads;
 pub(crate) mod simulate;
 mod simulation;
+mod split;
 pub(crate) mod stiffness;
 pub(crate) mod study;
 mod tenons;

@@ -81,7 +81,19 @@ impl FrameSimulation {
             ColumnsInMotion::OnBeds(run) => Some(run),
             ColumnsInMotion::Absent
             | ColumnsInMotion::SeveralStoreys
-            | ColumnsInMotion::BesideJoints
+            | ColumnsInMotion::BesideJoints(_)
+            | ColumnsInMotion::BothComponents
+            | ColumnsInMotion::Alone(_) => None,
+        }
+    }
+
+    /// The run of the frame with all of its stiffness in the beds of its columns, of a frame whose beds and joints share it; `None` without one.
+    pub fn all_in_beds(&self) -> Option<&ColumnsOnBeds> {
+        match &self.columns {
+            ColumnsInMotion::BesideJoints(run) => run.as_deref(),
+            ColumnsInMotion::Absent
+            | ColumnsInMotion::SeveralStoreys
+            | ColumnsInMotion::OnBeds(_)
             | ColumnsInMotion::BothComponents
             | ColumnsInMotion::Alone(_) => None,
         }

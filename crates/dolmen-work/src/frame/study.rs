@@ -11,8 +11,8 @@ use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, ac
 use crate::told::told_both;
 use crate::wrong::CaseRefused;
 use dolmen::dynamics::{
-    ColumnOutcome, DynamicsError, FrameHistory, FrameOutcome, HarmonicPoint, TimeFunction, simulate_frame,
-    simulate_frame_in_plan,
+    ColumnOutcome, DynamicsError, FrameHistory, FrameOutcome, FrictionFrame, HarmonicPoint, TimeFunction,
+    simulate_frame, simulate_frame_in_plan,
 };
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{FramePart, Pick, StudyPart};
@@ -40,6 +40,12 @@ impl FrameModel {
         let planes = std::iter::once(&self.first).chain(&self.across);
         let mut planes = planes.zip(&self.directions);
         planes.any(|(plane, direction)| !is_damped(part, direction, &plane.frame))
+    }
+
+    /// Whether columns alone support a storey.
+    pub(crate) fn stands_on_columns(&self) -> bool {
+        let mut planes = std::iter::once(&self.first).chain(&self.across);
+        planes.any(|plane| plane.alone.iter().any(Option::is_some))
     }
 
     /// The largest lean of a storey from which its runs start, as a run measures it without shaking: the surveyed tilt and the drift of its
@@ -212,8 +218,8 @@ pub(crate) fn row_and_rest(
         let together = FrameTogether::of(directions, [&first, second], &moved);
         let [x, y] = &moved.histories;
         let each = [
-            measured(run.clone(), (model, model.first.tilt), x)?,
-            measured(run.clone(), (model, tilt_y), y)?,
+            measured(run.clone(), (model, model.first.tilt), (&first.frame, x))?,
+            measured(run.clone(), (model, tilt_y), (&second.frame, y))?,
         ];
         let leanings = [Some(&model.first), model.across.as_ref()];
         let drifts_m: Vec<f64> = together.storeys.iter().map(|of| of.drift_m).collect();
@@ -232,7 +238,7 @@ pub(crate) fn row_and_rest(
     for ((plane, tilt), leaning) in planes.zip(tilts).zip(leanings) {
         match simulate_frame(&plane.frame, &plane.load, &plane.run, &mut goes_on) {
             Ok(history) => {
-                let of_springs = measured(run.clone(), (model, tilt), &history)?;
+                let of_springs = measured(run.clone(), (model, tilt), (&plane.frame, &history))?;
                 let ground = &plane.load.ground_acceleration_m_s2;
                 match on_columns(of_springs, (model, leaning), &history, (ground, span_s)) {
                     Ok(measured) => all.push(measured),
@@ -321,6 +327,7 @@ fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>
         residual_drift_m: one.residual_drift_m.max(other.residual_drift_m),
         slipping_share: one.slipping_share.max(other.slipping_share),
         slipped_way_m: one.slipped_way_m.max(other.slipped_way_m),
+        crushed_depth_m: one.crushed_depth_m.max(other.crushed_depth_m),
         energy_left_over_ratio: one.energy_left_over_ratio.max(other.energy_left_over_ratio),
     };
     for (of, height_m) in together
@@ -342,8 +349,20 @@ fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>
     worse
 }
 
-/// The results of a history in a direction with this tilt; `None` if it was stopped.
-fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHistory) -> Option<Run> {
+/// Deepest crushing of a face of a tenon, m; NaN without tenons that can crush.
+fn crushed_depth_m(frame: &FrictionFrame, history: &FrameHistory) -> f64 {
+    let each = frame.tenons().iter().zip(&history.tenons);
+    let crushable = each.filter(|(tenon, _)| tenon.is_some_and(|of| of.crushing_force_n.is_some()));
+    let depths_m = crushable.flat_map(|(_, faces)| faces.iter().flatten());
+    depths_m.map(|face| face.crushed_m).fold(f64::NAN, f64::max)
+}
+
+/// The results of a history of a frame in a direction with this tilt; `None` if it was stopped.
+fn measured(
+    mut run: Run,
+    (model, tilt): (&FrameModel, f64),
+    (frame, history): (&FrictionFrame, &FrameHistory),
+) -> Option<Run> {
     match history.outcome {
         FrameOutcome::Finished => run.outcome = RunOutcome::Stood,
         FrameOutcome::DriftLimit { storey, at_s } => {
@@ -360,6 +379,8 @@ fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHist
     let top = model.heights_m.len() - 1;
     let peak_drift_ratio =
         most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]);
+    let crushed_depth_m = crushed_depth_m(frame, history);
+    let crushes = crushed_depth_m > 0.0; // false for NaN
     run.measures = RunMeasures::Frame(FrameMeasures {
         peak_displacement_m: history.displacement_peaks[top].value_m.abs(),
         peak_drift_m: most(&|storey| history.drift_peaks[storey].value_m.abs()),
@@ -369,11 +390,12 @@ fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHist
         residual_drift_m: most(&|storey| (residual(storey) - below(storey)).abs()),
         slipping_share: most(&|storey| history.slipping_share(storey)),
         slipped_way_m: most(&|storey| history.slipped_way_m(storey)),
+        crushed_depth_m,
         energy_left_over_ratio: history.energy_left_over_ratio(),
     });
     run.damage_state = match run.outcome {
         RunOutcome::Fell => 4,
-        _ if history.slips.is_empty() => 0,
+        _ if history.slips.is_empty() && !crushes => 0,
         _ => 1,
     };
     Some(run)

@@ -78,6 +78,7 @@ pub(super) fn wind_met(
             links: storeys,
         },
         levels_n,
+        slipping: None,
     })
 }
 

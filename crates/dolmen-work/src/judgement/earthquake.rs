@@ -75,6 +75,8 @@ pub enum DecidedBy {
     WithoutTorsion,
     /// No result: columns that alone support it lift off, and the springs of their beds are not valid beyond.
     FeetLiftOff,
+    /// No result: its feet lift off where the beds have all of its stiffness, and how beds and joints share it is assumed.
+    SplitAssumed,
     /// No result: it does not stand without shaking.
     DoesNotStand,
     /// No result: the run was stopped, or ended without a verdict.
@@ -249,6 +251,7 @@ impl DecidedBy {
             DecidedBy::Contradicted => "contradicted",
             DecidedBy::NoResponse => "no_response",
             DecidedBy::FeetLiftOff => "feet_lift_off",
+            DecidedBy::SplitAssumed => "split_assumed",
             DecidedBy::DoesNotStand => "does_not_stand",
             DecidedBy::Unfinished => "unfinished",
         }
@@ -276,6 +279,15 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
     if found.is_empty() || !compared.parts.is_empty() {
         found.extend(of_parts(&compared.parts, None));
     }
+    let in_joints = Earthquake::worst(&found);
+    let splits = compared.splits.iter();
+    found.extend(splits.filter_map(|of| {
+        split_assumed(
+            in_joints,
+            Earthquake::worst(&of_parts(std::slice::from_ref(&of.in_beds), None)),
+            (&of.in_beds, None),
+        )
+    }));
     match lacks_torsion(&state.check) {
         true => found
             .into_iter()
@@ -283,6 +295,24 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
             .collect(),
         false => found,
     }
+}
+
+/// A frame that meets the demand with all of its stiffness in its joints, and not, or barely, with all of it in the beds of its columns: both
+/// are extremes, so that the worse one alone does not make it insufficient.
+pub(super) fn split_assumed(
+    in_joints: Earthquake,
+    in_beds: Earthquake,
+    (storey, motion): (&PartLimit, Option<&str>),
+) -> Option<EarthquakeFinding> {
+    let meets = matches!(in_joints, Earthquake::Above | Earthquake::Near);
+    (meets && in_beds > in_joints).then(|| EarthquakeFinding {
+        part: Some(storey.part.name().to_owned()),
+        ..EarthquakeFinding::new(
+            in_beds.min(Earthquake::NotDecided),
+            DecidedBy::SplitAssumed,
+            motion,
+        )
+    })
 }
 
 /// Whether accidental torsion is asked for and missing in the response of a building.

@@ -1,6 +1,6 @@
 //! Words for the earthquake from simulated motions, by kind of structure.
 
-use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_parts};
+use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_parts, split_assumed};
 use crate::building::{BuildingSimulation, RowRun};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
@@ -245,11 +245,23 @@ pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
             ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::FeetLiftOff, Some(motion))
         });
     }
+    found.extend(of_split(run, Earthquake::worst(&found), motion));
     found.extend(run.without_stiffness.iter().map(|direction| EarthquakeFinding {
         part: Some(direction.clone()),
         ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::StiffnessUnknown, Some(motion))
     }));
     found
+}
+
+/// A frame that meets the demand with all of its stiffness in its joints, and not, or barely, with all of it in the beds of its columns.
+fn of_split(run: &FrameSimulation, in_joints: Earthquake, motion: &str) -> Option<EarthquakeFinding> {
+    let beds = run.all_in_beds().filter(|beds| beds.lifts_off())?;
+    let parts = run.parts_all_in_beds();
+    let in_beds = match beds.is_followed() && !beds.falls() {
+        true => Earthquake::worst(&of_parts(&parts, Some(motion))),
+        false => Earthquake::NotDecided,
+    };
+    split_assumed(in_joints, in_beds, (parts.first()?, Some(motion)))
 }
 
 /// A storey beyond its limit in an incomplete run still counts, because it has happened.

@@ -38,6 +38,32 @@ pub struct FrameWind {
     pub met: WindMet,
     /// Force on each level, lowest first, N: the levels above and below a storey share the wind on it.
     pub levels_n: Vec<f64>,
+    /// The same at the frequency of the frame with every joint slipping; `None` where no gust slips a joint, or slipping does not soften it.
+    pub slipping: Option<SlippingWind>,
+}
+
+/// The wind on a frame whose joints slip.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct SlippingWind {
+    /// The wind.
+    pub met: WindMet,
+    /// Force on each level, lowest first, N.
+    pub levels_n: Vec<f64>,
+}
+
+impl FrameWind {
+    /// Force on each level while joints slip, or while they stick, N.
+    pub(crate) fn levels_in(&self, slips: bool) -> &[f64] {
+        match &self.slipping {
+            Some(slipping) if slips => &slipping.levels_n,
+            _ => &self.levels_n,
+        }
+    }
+
+    /// The wind while joints stick and, where a gust slips them, while they slip.
+    pub fn states(&self) -> impl Iterator<Item = &WindMet> {
+        std::iter::once(&self.met).chain(self.slipping.as_ref().map(|of| &of.met))
+    }
 }
 
 /// A chain with the weights of its static loads.
@@ -376,7 +402,7 @@ impl LoadsAnswer {
     pub fn lacks_resonance_at_hz(&self) -> Option<f64> {
         let along = self.wind.as_ref()?.as_ref().ok()?;
         let blows = self.combinations.iter().any(|of| of.wind != 0.0);
-        let of_frame = self.frame_winds.iter().map(|of| &of.met);
+        let of_frame = self.frame_winds.iter().flat_map(FrameWind::states);
         let lacking = [Some(along), self.wind_across.as_ref()].into_iter().flatten();
         let lacking = lacking.chain(of_frame);
         let swinging = lacking.filter_map(|met| match met.resonance {

@@ -6,7 +6,7 @@ mod words;
 
 pub use answer::{
     AcrossCombination, Carried, ChainCombination, CombinationAnswer, Combined, DirectionUnderLoads,
-    FrameCombination, FrameWind, LoadedStorey, LoadsAnswer, WindMet, WindOnLink,
+    FrameCombination, FrameWind, LoadedStorey, LoadsAnswer, SlippingWind, WindMet, WindOnLink,
 };
 pub use on_building::{BuildingCombination, LargestCombined, StoreyCombined, UnknownMotion};
 pub use words::{Governed, Governing};

@@ -3,7 +3,7 @@
 use super::acting::{MotionAnswer, TakenOff};
 use super::error::MotionRequestError;
 use super::of_survey::{SURVEY, of_survey};
-use super::request::{GivenFile, MotionRequest};
+use super::request::{GivenFile, MotionRequest, acting_size};
 use super::wanted_file::{WantedFile, column_of, given_files, typed_columns};
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
@@ -181,7 +181,7 @@ fn wanted(options: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<
         is_sized_first: project.is_some_and(|(project, _)| {
             matches!(project.structure, Structure::Stack(_) | Structure::Building(_))
         }),
-        size: typed_size.or_else(|| part?.size),
+        size: acting_size(typed_size, part.and_then(|part| part.size)),
         read: MotionOptions {
             factor: match (options.factor, part) {
                 (1.0, Some(part)) => part.factor.unwrap_or(1.0),

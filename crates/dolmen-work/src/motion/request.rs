@@ -1,9 +1,10 @@
 //! A request for a motion, with its changes.
 
 use dolmen::signal::Component;
+use dolmen_project::MotionSize;
 
-/// A requested motion: of the project file, a built-in one, or files. Settings here override those of the project file. The default requests
-/// none.
+/// A requested motion: of the project file, a built-in one, or files. Settings here override those of the project file, and a scale multiplies
+/// its size. The default requests none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionRequest {
     /// A motion of the project file, or a built-in one.
@@ -116,5 +117,38 @@ impl MotionRequest {
         let numbers = [self.keep_first_s, self.taper_s, self.turn_deg, self.scale];
         let base_line = self.baseline_degree.is_some() || self.high_pass_hz.is_some();
         numbers.iter().any(Option::is_some) || self.peak.is_some() || base_line
+    }
+}
+
+/// The size of the motion: a scale of the request multiplies the scale or the peak of the project file, as the levels of a study do; a peak
+/// replaces them.
+pub(super) fn acting_size(typed: Option<MotionSize>, given: Option<MotionSize>) -> Option<MotionSize> {
+    match (typed, given) {
+        (Some(MotionSize::Scale(typed)), Some(MotionSize::Scale(given))) => {
+            Some(MotionSize::Scale(typed * given))
+        }
+        (Some(MotionSize::Scale(typed)), Some(MotionSize::Peak(given_m_s2))) => {
+            Some(MotionSize::Peak(typed * given_m_s2))
+        }
+        (typed, given) => typed.or(given),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_a_typed_scale_multiplies_what_the_file_gives_and_a_typed_peak_replaces_it() {
+        use MotionSize::{Peak, Scale};
+        for (typed, given, acts) in [
+            (Some(Scale(2.0)), Some(Scale(-1.5)), Some(Scale(-3.0))),
+            (Some(Scale(2.0)), Some(Peak(0.75)), Some(Peak(1.5))),
+            (Some(Scale(2.0)), None, Some(Scale(2.0))),
+            (Some(Peak(2.0)), Some(Scale(3.0)), Some(Peak(2.0))),
+            (None, Some(Scale(3.0)), Some(Scale(3.0))),
+        ] {
+            assert_eq!(acting_size(typed, given), acts, "{typed:?} {given:?}");
+        }
     }
 }

@@ -49,6 +49,8 @@ pub struct StudyAnswer {
     pub left_out_of_runs: Vec<Both>,
     /// Whether runs have neither damping nor friction.
     pub is_undamped: bool,
+    /// Whether columns alone support a storey in runs: these fall at a drift of their own, not at that of the frame model.
+    pub on_columns: bool,
     /// Motions that are copies of others.
     pub copies: Vec<MotionCopy>,
     /// Inputs, the varied ones first.

@@ -3,6 +3,7 @@
 use super::answer::StudyAnswer;
 use super::column::{Column, ColumnValues};
 use super::combination_fragility::{CombinationFragility, MeasureFit, StateFragility};
+use super::crushed_tenons::crushes;
 use super::input_columns::CaseInputs;
 use super::kind::StudyKind;
 use super::measures::RunMeasures;
@@ -28,7 +29,8 @@ impl StudyAnswer {
             return is_named;
         }
         let slipped = |run: &Run| matches!(run.measures, RunMeasures::Frame(of) if of.slipped_way_m > 0.0);
-        self.runs.iter().any(slipped) || !self.runs.iter().any(|run| run.outcome == RunOutcome::Fell)
+        let is_damaged = |run: &Run| slipped(run) || crushes(run);
+        self.runs.iter().any(is_damaged) || !self.runs.iter().any(|run| run.outcome == RunOutcome::Fell)
     }
 
     pub(super) fn fit_combinations(&self) -> Vec<CombinationFragility> {
@@ -118,6 +120,10 @@ impl StudyAnswer {
             return language.pick(format!("drift {limit} %"), format!("층간변위 {limit} %"));
         }
         let word = match (self.kind.state(state), language) {
+            ("slips", _) if self.crushed_tenons().is_some() => {
+                language.pick("slips or crushes", "미끄러짐·압괴")
+            }
+            ("drift limit", _) if self.on_columns => language.pick("falls", "전도"),
             // differs from the allowable drift of the file
             ("drift limit", Language::English) => "leans by 10 %",
             (word, Language::English) => word,

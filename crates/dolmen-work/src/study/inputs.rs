@@ -58,6 +58,8 @@ pub(super) struct ReadCombination {
     pub(super) damage: Vec<ModelDamage>,
     /// Whether its runs have neither damping nor friction.
     pub(super) is_undamped: bool,
+    /// Whether columns alone support a storey in its runs.
+    pub(super) on_columns: bool,
     /// The allowable drift of a storey over its height.
     pub(super) drift_limit: Option<f64>,
     /// The hazard of its site.

@@ -74,6 +74,8 @@ measures! {
         slipping_share,
         /// Largest accumulated slip of a storey, m.
         slipped_way_m,
+        /// Deepest crushing of a face of a tenon, m; NaN without tenons that can crush.
+        crushed_depth_m,
         /// Energy error of the integration, –.
         energy_left_over_ratio,
     }

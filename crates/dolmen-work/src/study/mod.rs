@@ -7,6 +7,8 @@ mod before;
 mod column;
 mod combination_fragility;
 mod combination_limits;
+mod combination_motions;
+mod crushed_tenons;
 mod curves;
 mod designs;
 mod earthquake_of;
@@ -52,6 +54,7 @@ pub use column::{Column, ColumnValues};
 pub use combination_fragility::{
     CombinationFragility, CrossingSide, MeasureFit, StateFragility, StatesCrossing, YEARS,
 };
+pub use crushed_tenons::CrushedTenons;
 pub use designs::{StudyDesigns, study_designs, trained};
 pub use earthquake_of::EarthquakeOf;
 pub use engine::{missing, run};

@@ -133,6 +133,15 @@ pub(super) fn is_undamped(study: &StudyPart, project: &Project) -> bool {
     }
 }
 
+/// Whether columns alone support a storey of a frame in a direction that a study shakes.
+pub(super) fn on_columns(study: &StudyPart, project: &Project) -> bool {
+    let Structure::Frame(part) = &project.structure else {
+        return false;
+    };
+    let model = frame::study::model(study, part, &mut Quantity::nominal);
+    model.is_ok_and(|model| model.stands_on_columns())
+}
+
 fn stack_model(stack: Stack) -> Result<Model, NoModel> {
     if let Some(why) = no_capacity(&stack) {
         return Err(NoModel::Refused(why.into()));

@@ -55,11 +55,24 @@ impl PreparedMotion {
         })
     }
 
-    /// As it acts on a structure that moves in one plane: rotated, with its size measured along that plane.
-    pub(super) fn in_plane(&self, turn_rad: f64) -> Result<Self, WorkError> {
+    /// As it acts on a structure that moves in one plane, along a component if the motion has both: rotated, that component alone, with its
+    /// size.
+    pub(super) fn in_plane(&self, turn_rad: f64, along: Component) -> Result<Self, WorkError> {
         let motion = self.acting(1.0, turn_rad)?;
-        let component = acting_component(&motion);
-        measured(motion, component)
+        let component = match motion.has(along) {
+            true => along,
+            false => acting_component(&motion),
+        };
+        let series = vec![(component, motion.acceleration_m_s2(component).to_vec())];
+        let alone = GroundMotion::new(motion.name(), motion.time_step_s(), series)?;
+        measured(alone, component)
+    }
+
+    /// Its largest vertical acceleration over the largest horizontal one; `None` without a vertical component.
+    pub(super) fn vertical_over_peak(&self) -> Option<f64> {
+        let vertical_m_s2 = self.motion.component_peak_m_s2(Component::Z);
+        let has_vertical = self.motion.has(Component::Z);
+        has_vertical.then_some(vertical_m_s2 / self.peak_m_s2)
     }
 
     /// Its axis if it shakes along one and is rotated; `None` if it shakes along several.
@@ -111,6 +124,19 @@ impl PreparedMotion {
             scaled.rotated(turn_rad)?
         })
     }
+}
+
+/// Motions that are copies of earlier ones, whatever the names of their files.
+pub(super) fn copies(motions: &[(String, PreparedMotion)]) -> Vec<MotionCopy> {
+    let each = motions.iter().enumerate().filter_map(|(at, (name, motion))| {
+        let mut before = motions[..at].iter();
+        let (of, _) = before.find(|(_, before)| motion.is_copy_of(before))?;
+        Some(MotionCopy {
+            motion: name.clone(),
+            of: of.clone(),
+        })
+    });
+    each.collect()
 }
 
 /// The component that acts on a structure that moves in one plane: x, or y if there is no other.

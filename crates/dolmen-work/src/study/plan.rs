@@ -3,6 +3,7 @@
 use super::answer::StudyAnswer;
 use super::before::EarlierShaking;
 use super::combination_limits::{drift_limit_of, unknown_directions};
+use super::combination_motions::{across_left_out, along, counted_otherwise, meets_both, vertical_left_out};
 use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
@@ -13,21 +14,19 @@ use super::inputs::{
 };
 use super::journal::JournalHeader;
 use super::kind::StudyKind;
-use super::model::is_undamped;
-use super::motions::{MotionCopy, PreparedMotion, motion_names, prepared};
+use super::model::{is_undamped, on_columns};
+use super::motions::{PreparedMotion, copies, motion_names, prepared};
 use super::run::Run;
 use super::shaking_measure::ShakingScales;
 use super::some_runs::{DamageInRuns, damage_in_runs, said_of_runs};
 use super::too_large::refuse_too_large;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
-use crate::frame::together::is_in_plan;
 use crate::in_runs::{LeftOutOfRuns, held_in_runs};
 use crate::opened::Opened;
 use crate::stack;
 use crate::wrong::OfRuns;
 use dolmen::assess::{RockingScale, rocking_scale};
-use dolmen::signal::Component;
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_project::{
     Axis, HazardPart, LawPart, MotionSize, Override, Problem, Project, Quantity, Scan, Structure, StudyPart,
@@ -72,6 +71,8 @@ pub struct Plan<'o> {
     pub(super) hazard: Option<HazardPart>,
     /// Whether runs of a combination have neither damping nor friction.
     is_undamped: bool,
+    /// Whether columns alone support a storey in runs of a combination.
+    on_columns: bool,
     fingerprints: Vec<(String, String)>,
 }
 
@@ -120,6 +121,7 @@ impl<'o> Plan<'o> {
             drift_limit: None,
             hazard: None,
             is_undamped: false,
+            on_columns: false,
             fingerprints: Vec::new(),
         };
         plan.read_inputs()?;
@@ -161,6 +163,7 @@ impl<'o> Plan<'o> {
                 let left_out = project.as_ref().map(|project| {
                     let mut all = LeftOutOfRuns::of(project).words(is_rigid);
                     all.extend(unknown_directions(self.study, project));
+                    all.extend(across_left_out(self.study, project, &self.motions));
                     all
                 });
                 Ok(ReadCombination {
@@ -171,6 +174,9 @@ impl<'o> Plan<'o> {
                         .as_ref()
                         .map(|project| project.damage.clone())
                         .unwrap_or_default(),
+                    on_columns: project
+                        .as_ref()
+                        .is_some_and(|project| on_columns(self.study, project)),
                     is_undamped: project
                         .as_ref()
                         .is_some_and(|project| is_undamped(self.study, project)),
@@ -189,12 +195,12 @@ impl<'o> Plan<'o> {
         self.models = read.iter().map(|read| read.model.clone()).collect();
         let left_out: Vec<_> = read.iter().map(|read| read.of_runs(&read.left_out)).collect();
         self.left_out = said_of_runs(self.study, &left_out);
-        let is_vertical = |(_, motion): &(String, PreparedMotion)| motion.motion.has(Component::Z);
-        if self.kind != StudyKind::Stack && self.motions.iter().any(is_vertical) {
-            self.left_out.push(OfRuns::VerticalLeftOut.into());
+        if self.kind != StudyKind::Stack {
+            self.left_out.extend(vertical_left_out(&self.motions));
         }
         self.take_limits(&read);
         self.is_undamped = read.iter().any(|read| read.is_undamped);
+        self.on_columns = read.iter().any(|read| read.on_columns);
         let held: Vec<_> = read.iter().map(|read| read.of_runs(&read.held)).collect();
         self.held = said_of_runs(self.study, &held);
         let damage: Vec<_> = read.iter().map(|read| read.of_runs(&read.damage)).collect();
@@ -230,6 +236,7 @@ impl<'o> Plan<'o> {
         // everything that a model is built from, including files and the tilt of a survey
         let models = self.models.join(" ");
         all.push(("the structure as read".to_owned(), fingerprint(models.as_bytes())));
+        all.extend(counted_otherwise(self.study, &self.opened.project, &self.motions));
         if self.study.samples.is_some() {
             // older journals list samples that fall by themselves as refused
             all.push(("samples that fall by themselves".to_owned(), "counted".to_owned()));
@@ -268,18 +275,16 @@ impl<'o> Plan<'o> {
         Ok(match self.kind {
             // its components act along and across
             StudyKind::Chain | StudyKind::Frame if self.meets_both(project) => (motion, turn_rad),
-            StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
+            StudyKind::Frame | StudyKind::Chain => {
+                (motion.in_plane(turn_rad, along(self.study, project))?, 0.0)
+            }
             _ => (motion, turn_rad),
         })
     }
 
     /// Whether both components of a motion, along x and along y, act on the structure.
     pub(super) fn meets_both(&self, project: &Project) -> bool {
-        match &project.structure {
-            Structure::Chain(part) => part.has_two_axes(),
-            Structure::Frame(part) => is_in_plan(self.study, part),
-            Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
-        }
+        meets_both(self.study, project)
     }
 
     /// Factors on a motion, ascending.
@@ -428,6 +433,7 @@ impl<'o> Plan<'o> {
             set_shown: self.set_shown.clone(),
             left_out_of_runs: self.left_out.clone(),
             is_undamped: self.is_undamped,
+            on_columns: self.on_columns,
             copies: copies(&self.motions),
             inputs: self.inputs.clone(),
             cases: self.cases.clone(),
@@ -518,19 +524,6 @@ fn size_before(study: &StudyPart, combination: usize) -> Option<(f64, &'static s
         MotionSize::Scale(scale) => (scale, ""),
         MotionSize::Peak(peak_m_s2) => (peak_m_s2, "m/s2"),
     })
-}
-
-/// Motions that are copies of earlier ones, whatever the names of their files.
-fn copies(motions: &[(String, PreparedMotion)]) -> Vec<MotionCopy> {
-    let each = motions.iter().enumerate().filter_map(|(at, (name, motion))| {
-        let mut before = motions[..at].iter();
-        let (of, _) = before.find(|(_, before)| motion.is_copy_of(before))?;
-        Some(MotionCopy {
-            motion: name.clone(),
-            of: of.clone(),
-        })
-    });
-    each.collect()
 }
 
 /// A problem of a project file, with the allowed values and the remedy.

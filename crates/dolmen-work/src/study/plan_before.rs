@@ -1,6 +1,7 @@
 //! The earlier motion of a plan: run once for each case, on first use.
 
 use super::before::{EarlierShaking, FirstMotion, shaken_before, why_refused};
+use super::combination_motions::{across_left_out, along};
 use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::kind::StudyKind;
@@ -29,6 +30,12 @@ impl Plan<'_> {
             return Err(StudyError::AfterWithoutScan.into());
         }
         let first = prepared(&self.opened.project, self.files, self.study, &after.motion)?;
+        let is_named = self.motions.iter().any(|(name, _)| *name == after.motion);
+        if !is_named {
+            let named = [(after.motion.clone(), first.clone())];
+            let across = across_left_out(self.study, &self.opened.project, &named);
+            self.left_out.extend(across);
+        }
         for (_, second) in &self.motions {
             motion_sequence(&first.motion, 0.0, &second.motion)?;
             if self.meets_both(&self.opened.project) {
@@ -82,7 +89,7 @@ impl Plan<'_> {
     fn motion_before(&self, after: &AfterPart, project: &Project) -> Result<PreparedMotion, WorkError> {
         let motion = prepared(project, self.files, self.study, &after.motion)?;
         match self.acts_in_plane(project) {
-            true => motion.in_plane(0.0),
+            true => motion.in_plane(0.0, along(self.study, project)),
             false => Ok(motion),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::plan::Plan;
 use super::shown_inputs::shown_inputs;
+use dolmen_words::number::trimmed;
 
 impl Plan<'_> {
     /// A case in words: its variant and inputs; empty if there is only one.
@@ -26,10 +27,8 @@ impl Plan<'_> {
             words.insert(0, case);
         }
         if turns > 1 {
-            words.push(format!(
-                "turned by {}°",
-                self.study.turns_rad[job % turns].to_degrees()
-            ));
+            let degrees = self.study.turns_rad[job % turns].to_degrees();
+            words.push(format!("turned by {}°", trimmed(degrees, 4)));
         }
         words.join(", ")
     }

@@ -58,7 +58,7 @@ pub struct Run {
     pub peak_ground_velocity_m_s: f64,
     /// Its outcome.
     pub outcome: RunOutcome,
-    /// 0 to 4: DS1 to DS4. For a building the number of drift limits reached; for a frame 1 if it slips and 4 at the drift limit; for a chain 1
+    /// 0 to 4: DS1 to DS4. For a building the number of drift limits reached; for a frame 1 if it slips or crushes a tenon and 4 at the drift limit; for a chain 1
     /// if a joint opens or turns against friction.
     pub damage_state: u8,
     /// For a stack: the damage state of each joint, 0 to 4, in the order of its joints.

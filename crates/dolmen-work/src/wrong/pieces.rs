@@ -187,9 +187,21 @@ messages! {
             en: "forces and moments of static loads do not act in the runs: `dolmen check` judges them",
             ko: "해석에 정하중의 힘과 모멘트를 반영하지 않았다. `dolmen check`에서 판정한다",
         },
-        VerticalLeftOut => {
-            en: "vertical components of the motions do not act in the runs",
-            ko: "해석에 지반운동의 연직 성분을 반영하지 않았다",
+        ColumnsLeftOut => {
+            en: "storeys keep their stiffness where the feet of their free-standing columns lift off: how beds and joints share it is assumed, and `dolmen simulate` says how far that matters in a frame of one storey",
+            ko: "자립 기둥의 주각이 들린 뒤에도 층강성을 그대로 두었다. 지압면과 접합부의 강성 분담은 가정이며, 단층 골조에서 그 영향은 `dolmen simulate`에 나온다",
+        },
+        VerticalLeftOut { percent: String } => {
+            en: "vertical components of the motions, up to {percent} % of their horizontal peak, do not act in the runs",
+            ko: "해석에 지반운동의 연직 성분(수평 최대의 {percent} % 이하)을 반영하지 않았다",
+        },
+        AcrossOfDirection { motions: Vec<String>, direction: String, acts: String, left_out: String } => {
+            en: "of {motions} only component {acts} acts, in direction {direction}; component {left_out} does not. A study without `direction` shakes both, if the file says which lies along x and which along y",
+            ko: "{motions}의 {acts} 성분만 {direction} 방향에 작용하고 {left_out} 성분은 작용하지 않는다. 파일에 x·y 방향(along)을 적고 study에서 direction을 빼면 두 방향을 함께 흔든다",
+        },
+        AcrossOfPlane { motions: Vec<String> } => {
+            en: "of {motions} only component x acts, in the plane of the chain; component y does not. A chain with widths and stiffness in both directions is shaken by both",
+            ko: "{motions}의 x 성분만 체인의 평면에 작용하고 y 성분은 작용하지 않는다. 두 방향의 너비와 강성을 주면 두 성분을 모두 작용시킨다",
         },
         LimitsDiffer => {
             en: "the allowable drift of [limits] differs between the combinations, so that no scan is compared with it: write a study for each",

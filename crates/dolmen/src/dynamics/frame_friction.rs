@@ -113,7 +113,8 @@ pub enum ViscousDamping {
         /// b, s.
         stiffness_s: f64,
     },
-    /// One damping ratio in every mode of the frame with sticking sliders (Coulomb: slipping).
+    /// One damping ratio in every mode of the frame with sticking sliders (Coulomb: slipping), within the slack of its tenons. A frame that
+    /// falls within the slack has no such mode: there the modes are those with all tenons bearing. The dashpots act at any drift.
     Modal(f64),
 }
 
@@ -296,9 +297,21 @@ impl FrictionFrame {
     /// # Errors
     /// [`DynamicsError::Structure`] if the range of values exceeds the precision of the numbers.
     pub fn damping_ratios(&self, sliders: Sliders) -> Result<Vec<Option<f64>>, DynamicsError> {
-        let k = self.stiffness_matrix(sliders)?;
+        self.damping_ratios_with(&self.stiffness_matrix(sliders)?)
+    }
+
+    /// The same for the modes with sticking sliders and all tenons bearing.
+    ///
+    /// # Errors
+    /// As [`FrictionFrame::damping_ratios`].
+    pub fn damping_ratios_bearing(&self) -> Result<Vec<Option<f64>>, DynamicsError> {
+        self.damping_ratios_with(&self.bearing_matrix()?)
+    }
+
+    /// Damping ratio of each mode with this stiffness.
+    fn damping_ratios_with(&self, k: &Matrix) -> Result<Vec<Option<f64>>, DynamicsError> {
         let c = self.damping_matrix()?;
-        let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
+        let eigen = generalized_symmetric_eigen(k, &self.frame.mass_matrix())?;
         let ratio = |(j, &w): (usize, &f64)| {
             let shape = eigen.vectors.column(j);
             let power = c.as_ref().map_or(0.0, |c| {
@@ -316,6 +329,17 @@ impl FrictionFrame {
         if sliders == Sliders::Stuck {
             self.add_stuck(&mut k);
         }
+        Ok(k)
+    }
+
+    /// The same with sticking sliders and all tenons bearing, N/m.
+    fn bearing_matrix(&self) -> Result<Matrix, DynamicsError> {
+        let each = self.stiffness_n_m.iter().zip(&self.tenons);
+        let bearing_n_m: Vec<f64> = each
+            .map(|(own, tenon)| own + tenon.map_or(0.0, |of| of.stiffness_n_m))
+            .collect();
+        let mut k = self.frame.stiffness_matrix(&bearing_n_m)?;
+        self.add_stuck(&mut k);
         Ok(k)
     }
 
@@ -372,7 +396,11 @@ impl FrictionFrame {
             ViscousDamping::Modal(ratio) => {
                 let k = self.stiffness_matrix(Sliders::Stuck)?;
                 let mass = self.frame.mass_matrix();
-                let eigen = generalized_symmetric_eigen(&k, &mass)?;
+                let mut eigen = generalized_symmetric_eigen(&k, &mass)?;
+                let falls = eigen.values.iter().any(|omega_squared| *omega_squared <= 0.0);
+                if falls && self.tenons.iter().any(Option::is_some) {
+                    eigen = generalized_symmetric_eigen(&self.bearing_matrix()?, &mass)?;
+                }
                 // C = M (Σ 2ζω φ φᵀ) M with φᵀMφ = 1; a falling shape has no damping
                 let entry = |i: usize, j: usize| {
                     let sum: f64 = (0..n)

@@ -113,7 +113,7 @@ impl FreeColumns {
     }
 
     /// The columns on beds that give this stiffness at small drift, N/m.
-    pub(crate) fn on_beds_of(&self, stiffness_n_m: f64) -> FreeColumns {
+    pub fn on_beds_of(&self, stiffness_n_m: f64) -> FreeColumns {
         let per_bed_m = 2.0 * self.count as f64 * self.section.second_moment_m4() / self.height_m.powi(2);
         FreeColumns {
             bed_stiffness_n_m3: Some(stiffness_n_m / per_bed_m),
@@ -125,7 +125,7 @@ impl FreeColumns {
     ///
     /// # Errors
     /// [`StabilityError::Numeric`] if the root is not found; no such case is known.
-    pub(crate) fn rotation_at_rad(&self, drift_m: f64) -> Result<f64, StabilityError> {
+    pub fn rotation_at_rad(&self, drift_m: f64) -> Result<f64, StabilityError> {
         if drift_m <= 0.0 {
             return Ok(0.0);
         }
@@ -251,7 +251,8 @@ impl FreeColumns {
         self.axial_n / self.count as f64
     }
 
-    pub(crate) fn height_m(&self) -> f64 {
+    /// Their height, m.
+    pub fn height_m(&self) -> f64 {
         self.height_m
     }
 
