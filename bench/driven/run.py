@@ -48,8 +48,7 @@ def nearest(found, truth):
 
 def own(folder):
     cpu, done = child([str(BINARY), "identify", str(folder), "--json"])
-    record = json.loads(done.stdout)["surveys"][0]
-    modes = record["records"][0]["modes"] if "records" in record else record["modes"]
+    modes = json.loads(done.stdout)["surveys"][0]["records"]["modes"]["modes"]
     named = [{"hz": m["frequency_hz"], "sd": m["frequency_sd_hz"], "zeta": m["damping_ratio"], "zeta_sd": m["damping_ratio_sd"]} for m in modes]
     return cpu, named
 
