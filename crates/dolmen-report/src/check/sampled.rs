@@ -15,21 +15,29 @@ const ELASTICITY_SHOWN_LEAST: f64 = 5e-5;
 messages! {
     /// Uncertain inputs.
     pub(crate) enum Scatter in "check.scatter" {
-        Falls { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
-            en: "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
-            ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {samples}개 중 {count}개에서 안정을 잃는다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        Falls { counted: Sentence, share: Sentence } => {
+            en: "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {counted}: {share}. This is a probability of the model and the stated scatter, not of the stones.",
+            ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 {counted}에서 안정을 잃는다: {share}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
         },
-        FallsLoaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
-            en: "With the scatter given for the inputs it falls under its weight and static loads, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
-            ko: "입력값의 변동을 고려하면 지진 없이 자중과 정적 하중만으로 표본 {samples}개 중 {count}개에서 안정을 잃는다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        FallsLoaded { counted: Sentence, share: Sentence } => {
+            en: "With the scatter given for the inputs it falls under its weight and static loads, without any shaking, in {counted}: {share}. This is a probability of the model and the stated scatter, not of the stones.",
+            ko: "입력값의 변동을 고려하면 지진 없이 자중과 정적 하중만으로 {counted}에서 안정을 잃는다: {share}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
         },
-        FallsSlipping { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity, sticking: usize, slipping: usize } => {
-            en: "With the scatter given for the inputs its load factor is 1 or less in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. In {sticking} of them it falls under its weight while its joints stick, in {slipping} only once they slip: until it is shaken it stands. This is a probability of the model and the stated scatter, not of the stones.",
-            ko: "입력값의 변동을 고려하면 하중배율이 1 이하인 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 그중 {sticking}개는 접합부가 고착된 상태에서 자중으로, {slipping}개는 접합부가 미끄러진 뒤에만 안정을 잃는다(흔들리기 전에는 서 있다). 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        FallsSlipping { counted: Sentence, share: Sentence, sticking: usize, slipping: usize } => {
+            en: "With the scatter given for the inputs its load factor is 1 or less in {counted}: {share}. In {sticking} of them it falls under its weight while its joints stick, in {slipping} only once they slip: until it is shaken it stands. This is a probability of the model and the stated scatter, not of the stones.",
+            ko: "입력값의 변동을 고려하면 하중배율이 1 이하인 것은 {counted}이다: {share}. 그중 {sticking}개는 접합부가 고착된 상태에서 자중으로, {slipping}개는 접합부가 미끄러진 뒤에만 안정을 잃는다(흔들리기 전에는 서 있다). 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
         },
-        Overloaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
-            en: "Wind and static loads bring a joint to its limit, in one combination or more, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}.",
-            ko: "바람과 정적 하중의 조합에서 접합부가 한계에 이르는 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}.",
+        Overloaded { counted: Sentence, share: Sentence } => {
+            en: "Wind and static loads bring a joint to its limit, in one combination or more, in {counted}: {share}.",
+            ko: "바람과 정적 하중의 조합에서 접합부가 한계에 이르는 것은 {counted}이다: {share}.",
+        },
+        Counted { count: usize, samples: usize } => {
+            en: "{count} of {samples} samples",
+            ko: "표본 {samples}개 중 {count}개",
+        },
+        Share { estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
+            en: "{estimate}, {confidence} interval {lower} to {upper}",
+            ko: "{estimate}, {confidence} 신뢰구간 {lower}–{upper}",
         },
         Most { result: Sentence, inputs: Vec<Sentence> } => {
             en: "Inputs with the largest effect on {result}, for 1 % more of each: {inputs}.",
@@ -95,41 +103,44 @@ pub(super) fn findings(sampled: &Sampled) -> Vec<Finding> {
         .falls_sticking
         .map(|sticking| (sticking, sampled.unstable.count.saturating_sub(sticking)))
         .filter(|(_, slipping)| *slipping > 0);
+    let (counted, share) = said(&sampled.unstable);
     let found = match (slipping, sampled.weighs_loads) {
-        (Some((sticking, slipping)), _) => happens(&sampled.unstable, |of| Scatter::FallsSlipping {
-            count: of.count,
-            samples: of.samples,
-            estimate: of.estimate,
-            confidence: of.confidence,
-            lower: of.lower,
-            upper: of.upper,
+        (Some((sticking, slipping)), _) => Scatter::FallsSlipping {
+            counted,
+            share,
             sticking,
             slipping,
-        }),
-        (None, true) => happens(&sampled.unstable, falls_loaded),
-        (None, false) => happens(&sampled.unstable, falls),
+        },
+        (None, true) => Scatter::FallsLoaded { counted, share },
+        (None, false) => Scatter::Falls { counted, share },
     };
-    let mut all = vec![found];
-    all.extend(sampled.under_loads.iter().map(|of| happens(of, overloaded)));
+    let mut all = vec![happens(&sampled.unstable, found)];
+    all.extend(sampled.under_loads.iter().map(|of| {
+        let (counted, share) = said(of);
+        happens(of, Scatter::Overloaded { counted, share })
+    }));
     all
 }
 
-/// Frequency of an event, in the words of `said`.
-fn happens(of: &Probability, said: impl FnOnce(Share) -> Scatter) -> Finding {
+fn happens(of: &Probability, said: Scatter) -> Finding {
     let tone = match of.count {
         0 => Tone::Plain,
         _ => Tone::Warn,
     };
+    Finding::key(tone, said).with_code("probability")
+}
+
+/// How many samples, and their share with its interval.
+fn said(of: &Probability) -> (Sentence, Sentence) {
+    let (count, samples) = (of.count, of.samples);
     let [estimate, lower, upper] = apart([of.estimate, of.lower, of.upper]);
-    let share = Share {
-        count: of.count,
-        samples: of.samples,
+    let share = Scatter::Share {
         estimate,
         confidence: Quantity::new(of.confidence, Unit::percent(), Digits::Trimmed(3)),
         lower,
         upper,
     };
-    Finding::key(tone, said(share)).with_code("probability")
+    (Scatter::Counted { count, samples }.into(), share.into())
 }
 
 /// Shares as per cent, with as many digits as keep different ones apart; two at least.
@@ -142,73 +153,6 @@ fn apart(shares: [f64; 3]) -> [Quantity; 3] {
         (a != b || x == y) && (b != c || y == z) && (a != c || x == z)
     };
     shown(DIGITS.clone().find(are_apart).unwrap_or(*DIGITS.end()))
-}
-
-/// A share of the samples with its interval.
-struct Share {
-    count: usize,
-    samples: usize,
-    estimate: Quantity,
-    confidence: Quantity,
-    lower: Quantity,
-    upper: Quantity,
-}
-
-fn falls(of: Share) -> Scatter {
-    let Share {
-        count,
-        samples,
-        estimate,
-        confidence,
-        lower,
-        upper,
-    } = of;
-    Scatter::Falls {
-        count,
-        samples,
-        estimate,
-        confidence,
-        lower,
-        upper,
-    }
-}
-
-fn falls_loaded(of: Share) -> Scatter {
-    let Share {
-        count,
-        samples,
-        estimate,
-        confidence,
-        lower,
-        upper,
-    } = of;
-    Scatter::FallsLoaded {
-        count,
-        samples,
-        estimate,
-        confidence,
-        lower,
-        upper,
-    }
-}
-
-fn overloaded(of: Share) -> Scatter {
-    let Share {
-        count,
-        samples,
-        estimate,
-        confidence,
-        lower,
-        upper,
-    } = of;
-    Scatter::Overloaded {
-        count,
-        samples,
-        estimate,
-        confidence,
-        lower,
-        upper,
-    }
 }
 
 /// The most important inputs of the result, if requested.

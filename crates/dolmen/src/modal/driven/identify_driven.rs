@@ -1,23 +1,22 @@
 //! Modes of a structure from a record with measured base motion.
 
-use super::driven_modes::{Driven, DrivenMode};
+use super::driven_modes::Driven;
+use super::followed_inputs::{driven_modes, responses, segment_for};
 use super::ground_ratios::{OffGround, off_ground};
 use super::lowest_response::lowest_response_hz;
 use super::observer::{Fit, Measured, coefficients_of, observe};
 use super::realization::{Realization, Realize, realize};
-use super::responses::{FrequencyResponses, InputsAt, frequency_responses};
+use super::refused_inputs::{refuse_alike, refuse_sine, refuse_unrelated};
+use super::responses::FrequencyResponses;
 use crate::modal::accept::{accepted, candidates, put_in};
-use crate::modal::indicators::largest;
 use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
 use crate::modal::quality::{Diagram, Quantities, to_one_quantity};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{judged, modes_of, note_blends, pick, spectrum, wanted};
 use crate::modal::subspace::{AllOrders, Cluster, Clustering, Fate, Stabilization, group_poles};
-use crate::modal::{Method, ModalError, Mode, Modes, Note, assurance};
-use crate::numeric::quantile;
-use crate::signal::{Channel, CrossSpectra, Record, Welch, cross_spectra, decimate, leave_out};
-use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
+use crate::modal::{Method, ModalError, Mode, Modes, Note};
+use crate::signal::{Record, decimate, leave_out};
 
 /// Largest number of coefficients of an observer: more take seconds. Our choice.
 const COEFFICIENTS_MOST: usize = 600;
@@ -45,11 +44,6 @@ const SHORT_S: f64 = 90.0;
 /// little excites the others little, too: in made records of ground and wind the ratio of true modes is at most 4.9 for three storeys, and that of poles
 /// of noise in short earthquakes at least 15. Our choice.
 const FLOOR_OVER_BEST: f64 = 11.0;
-/// Least share of the motion due to the inputs, at the mode with the largest share; chance alone gives less. Our choice.
-const FOLLOWS_LEAST: f64 = 0.15;
-/// Least independent share of the inputs' motion; below it their effects cannot be distinguished. Our choice.
-const APART_LEAST: f64 = 0.05;
-
 /// Modes of the structure on a base that is fixed at the inputs: the motion of the inputs is given.
 ///
 /// ```text
@@ -237,20 +231,6 @@ fn dense_decimation(record: &Record, options: &Identify, peaks: &Modes) -> Optio
     options.decimation.or(fast.map(|factor| factor.max(1)))
 }
 
-/// The share of each mode due to the inputs, and the corresponding mode of ambient vibration (`together`).
-fn driven_modes(
-    (record, inputs): (&Record, &[usize]),
-    modes: &Modes,
-    together: Option<&Modes>,
-) -> Vec<DrivenMode> {
-    let of_mode = |mode: &Mode| DrivenMode {
-        frequency_hz: mode.frequency_hz,
-        explained: explained(record, inputs, (mode, &modes.channels)),
-        with_base_hz: together.and_then(|all| alike(mode, modes, all)),
-    };
-    modes.modes.iter().map(of_mode).collect()
-}
-
 /// Number of past samples: the longest lag of a subspace method, limited by the record and the computing time.
 fn lags_within(record: &Record, inputs: usize, settings: &mut Settings) -> usize {
     let outputs = record.channels().len() - inputs;
@@ -313,131 +293,12 @@ fn realized(
     Err(ModalError::NoObserver)
 }
 
-/// Refuses inputs if nearly all power of each is near one line of 32 segments.
-fn refuse_sine(record: &Record, inputs: &[usize]) -> Result<(), ModalError> {
-    const AROUND: usize = 2; // lines that Hann's window fills
-    const SHARE_MOST: f64 = 0.95; // chosen here: a noise with a resonance damped by 5 % has less than 0.3
-    let spectra = averaged(record, record.length() / 32)?;
-    let lines = spectra.frequency_hz.len();
-    let shares = inputs.iter().map(|&c| {
-        let power = |line: usize| spectra.density(c, c, line).re;
-        let whole: f64 = (1..lines).map(power).sum();
-        let top = (1..lines)
-            .max_by(|a, b| power(*a).total_cmp(&power(*b)))
-            .unwrap_or(0);
-        let here = top.saturating_sub(AROUND).max(1)..(top + AROUND + 1).min(lines);
-        (top, here.map(power).sum::<f64>() / whole.max(f64::MIN_POSITIVE))
-    });
-    match shares.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        Some((line, share)) if share > SHARE_MOST => Err(ModalError::InputsSine {
-            frequency_hz: spectra.frequency_hz[line],
-            share,
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Refuses inputs if one is a combination of the others at most lines.
-fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) -> Result<(), ModalError> {
-    if inputs.len() < 2 {
-        return Ok(());
-    }
-    let spectra = averaged(record, record.length() / 16)?;
-    let mut apart = Vec::new();
-    for (line, hz) in spectra.frequency_hz.iter().enumerate() {
-        if *hz <= low_hz || *hz > high_hz {
-            continue;
-        }
-        let coherent = ComplexMatrix::from_fn(inputs.len(), inputs.len(), |i, j| {
-            let (a, b) = (inputs[i], inputs[j]);
-            let power = spectra.density(a, a, line).re * spectra.density(b, b, line).re;
-            spectra.density(a, b, line) / power.sqrt().max(f64::MIN_POSITIVE)
-        });
-        apart.push(hermitian_eigen(&coherent)?.values[0]);
-    }
-    match quantile(&apart, 0.5) {
-        Ok(share) if share < APART_LEAST => Err(ModalError::InputsAlike { share }),
-        _ => Ok(()),
-    }
-}
-
-/// Refuses inputs without effect on any mode: the modes would be those of structure and ground together, wrongly named fixed-base modes.
-fn refuse_unrelated<'a>(modes: impl Iterator<Item = &'a DrivenMode>) -> Result<(), ModalError> {
-    let shares: Option<Vec<f64>> = modes.map(|mode| mode.explained).collect();
-    let most = shares.and_then(|of| of.into_iter().reduce(f64::max));
-    match most {
-        Some(share) if share < FOLLOWS_LEAST => Err(ModalError::InputsUnrelated { share }),
-        _ => Ok(()),
-    }
-}
-
-fn averaged(record: &Record, wished: usize) -> Result<CrossSpectra, ModalError> {
-    let segment_length = wished.clamp(8, record.length().max(8));
-    Ok(cross_spectra(record, &Welch { segment_length })?)
-}
-
-/// Multiple coherence of the inputs with the channel of largest motion, at the frequency of the mode.
-fn explained(record: &Record, inputs: &[usize], (mode, channels): (&Mode, &[Channel])) -> Option<f64> {
-    let spectra = averaged(record, segment_for(record, inputs, width_hz(mode))).ok()?;
-    if spectra.segments < SEGMENTS_AN_INPUT * inputs.len() {
-        return None;
-    }
-    let name = &channels[largest(&mode.shape)?].name;
-    let at = record.channels().iter().position(|c| c.name == *name)?;
-    let line = (mode.frequency_hz / spectra.resolution_hz).round() as usize;
-    let of_inputs = InputsAt::of(&spectra, inputs, line).ok()?;
-    Some(of_inputs.followed_by(&spectra, at).1)
-}
-
-/// Number of segments per input: with fewer, chance alone gives a coherence above 1/8.
-const SEGMENTS_AN_INPUT: usize = 8;
-
-/// Half of the half-power width of a mode, Hz.
-fn width_hz(mode: &Mode) -> f64 {
-    mode.damping_ratio.unwrap_or(0.01) * mode.frequency_hz
-}
-
-/// Length of a segment that resolves a mode of this width, limited by the number of segments needed for coherence.
-fn segment_for(record: &Record, inputs: &[usize], width_hz: f64) -> usize {
-    let fine = (2.0 * record.sampling_rate_hz() / width_hz).ceil() as usize;
-    fine.min(2 * record.length() / (9 * inputs.len()))
-}
-
-/// Response of each channel to the inputs, with the resolution of the narrowest mode if the record allows it.
-fn responses(record: &Record, inputs: &[usize], modes: &Modes) -> Option<FrequencyResponses> {
-    let narrowest = modes.modes.iter().map(width_hz).reduce(f64::min)?;
-    let segment = segment_for(record, inputs, narrowest).clamp(8, record.length().max(8));
-    let found = frequency_responses(record, inputs, segment).ok()?;
-    (found.segments >= SEGMENTS_AN_INPUT * inputs.len()).then_some(found)
-}
-
-/// The mode with a similar shape in the record without inputs. Its frequency is not higher, because the ground is elastic.
-fn alike(mode: &Mode, of: &Modes, together: &Modes) -> Option<(f64, Option<f64>)> {
-    const ALIKE: f64 = 0.9; // chosen here: a base that gives way adds its own motion to the shape
-    const RATIO: std::ops::RangeInclusive<f64> = 0.3..=1.05;
-    let places = of.channels.iter().map(|channel| {
-        let is_same = |c: &Channel| c.name == channel.name;
-        together.channels.iter().position(is_same)
-    });
-    let places: Vec<usize> = places.collect::<Option<_>>()?;
-    let likeness = |other: &Mode| {
-        let seen: Vec<Complex64> = places.iter().map(|&at| other.shape[at]).collect();
-        assurance(&mode.shape, &seen)
-    };
-    let near = together
-        .modes
-        .iter()
-        .filter(|other| RATIO.contains(&(other.frequency_hz / mode.frequency_hz)));
-    let best = near.max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
-    (likeness(best) >= ALIKE).then_some((best.frequency_hz, best.frequency_sd_hz))
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::made::{MadeOnGround, MadeOneMass};
     use super::*;
     use crate::modal::identify;
-    use crate::signal::ChannelFault;
+    use crate::signal::{Channel, ChannelFault};
 
     fn options() -> Identify {
         Identify {

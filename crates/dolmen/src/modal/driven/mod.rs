@@ -1,6 +1,7 @@
 //! Modes from a measured input: the response of a structure to the motion of its ground.
 
 mod driven_modes;
+mod followed_inputs;
 mod ground_ratios;
 mod identify_driven;
 mod lowest_response;
@@ -8,6 +9,7 @@ mod made;
 mod markov_parameters;
 mod observer;
 mod realization;
+mod refused_inputs;
 mod responses;
 
 pub use driven_modes::{Driven, DrivenMode};

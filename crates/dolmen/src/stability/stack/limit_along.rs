@@ -132,27 +132,13 @@ pub(super) fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::towers::arch_that_crushes;
     use super::*;
-    use crate::structure::stack::{ArchFactors, JointMaterial, arch};
 
     /// An arch with a strength: the limit with a few stress blocks of each joint, chosen by its mechanisms, is that with all.
     #[test]
     fn agrees_with_the_programme_of_all_stress_blocks() {
-        let blocks = arch(&ArchFactors {
-            span_m: 3.0,
-            rise_m: 1.5,
-            thickness_m: 0.45,
-            depth_m: 1.0,
-            voussoirs: 3,
-            springing_height_m: 0.0,
-            abutment_m: 0.5,
-            density_kg_m3: 2500.0,
-        });
-        let material = JointMaterial {
-            compressive_strength_pa: Some(4e5),
-            ..JointMaterial::with_friction(0.6)
-        };
-        let stack = Stack::new(blocks.unwrap(), material, 9.81).unwrap();
+        let stack = arch_that_crushes();
         let loads = StackLoads::default().on_blocks(&stack).unwrap();
         let problem = LimitProblem {
             stack: &stack,

@@ -1,6 +1,6 @@
-//! Towers of square boxes for the tests of this chapter.
+//! Towers of square boxes, and an arch, for the tests of this chapter.
 
-use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
+use crate::structure::stack::{ArchFactors, Block, JointMaterial, Placement, Solid, Stack, arch};
 
 pub(super) const P10: [(f64, f64); 10] = [
     (2.4, 0.5),
@@ -67,4 +67,23 @@ pub(super) fn leaning(slope: f64, friction: f64) -> Stack {
     };
     let blocks = vec![block("foot", 0.2, 0.0), block("shaft", 1.0, 0.2)];
     Stack::new(blocks, JointMaterial::with_friction(friction), 9.81).unwrap()
+}
+
+/// A round arch of three voussoirs whose joints crush.
+pub(super) fn arch_that_crushes() -> Stack {
+    let blocks = arch(&ArchFactors {
+        span_m: 3.0,
+        rise_m: 1.5,
+        thickness_m: 0.45,
+        depth_m: 1.0,
+        voussoirs: 3,
+        springing_height_m: 0.0,
+        abutment_m: 0.5,
+        density_kg_m3: 2500.0,
+    });
+    let material = JointMaterial {
+        compressive_strength_pa: Some(4e5),
+        ..JointMaterial::with_friction(0.6)
+    };
+    Stack::new(blocks.unwrap(), material, 9.81).unwrap()
 }

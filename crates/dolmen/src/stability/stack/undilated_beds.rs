@@ -272,9 +272,9 @@ fn with_friction_of(held: &[f64], forces: Vec<PossibleForce>) -> Vec<PossibleFor
 
 #[cfg(test)]
 mod tests {
+    use super::super::towers::arch_that_crushes;
     use super::*;
     use crate::stability::stack::StackLoads;
-    use crate::structure::stack::{ArchFactors, JointMaterial, arch};
 
     /// The limit of an arch with a strength, whose joints also have the friction of known normal forces, along a direction; and its unknown forces.
     fn limit(stack: &Stack, way: [f64; 2], is_point_by_point: bool) -> (f64, usize) {
@@ -304,21 +304,7 @@ mod tests {
     /// Across an arch and obliquely its joints twist: a few discs for each joint resist as its friction at every point does.
     #[test]
     fn agrees_with_friction_point_by_point() {
-        let blocks = arch(&ArchFactors {
-            span_m: 3.0,
-            rise_m: 1.5,
-            thickness_m: 0.45,
-            depth_m: 1.0,
-            voussoirs: 3,
-            springing_height_m: 0.0,
-            abutment_m: 0.5,
-            density_kg_m3: 2500.0,
-        });
-        let material = JointMaterial {
-            compressive_strength_pa: Some(4e5),
-            ..JointMaterial::with_friction(0.6)
-        };
-        let stack = Stack::new(blocks.unwrap(), material, 9.81).unwrap();
+        let stack = arch_that_crushes();
         for way in [[0.0, 1.0], [0.6, 0.8]] {
             let [(few, few_rows), (all, all_rows)] = [false, true].map(|each| limit(&stack, way, each));
             assert!((few - all).abs() < 1e-7 && few > 0.05, "{way:?}: {few} {all}");
