@@ -15,10 +15,11 @@ use dolmen_folder::{Found, Outputs};
 use dolmen_project::Structure;
 use dolmen_report::files::{simulate_answer_value, simulation_files};
 use dolmen_report::text::{
-    TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text, settled_text,
+    TextStyle, building_simulation_text, chain_simulation_text, frame_simulations_text, settled_text,
     simulation_inputs_text, simulation_text, supports_text, wind_simulation_text,
 };
 use dolmen_report::{after_first_text, simulation_headline_text, solution_headlines_text};
+use dolmen_work::frame::FrameSimulation;
 use dolmen_work::judgement::{Verb, first_status, judge_simulation};
 use dolmen_work::simulation::Simulation;
 use dolmen_work::{FlagVerb, WorkError, prepare, settle, simulate_solutions};
@@ -71,7 +72,11 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             manner.style(),
         ))?;
         say(&after_first_text(answer, manner.style()))?;
-        for simulation in &answer.simulations {
+        // what the directions of a frame share is said once
+        let frames: Vec<&FrameSimulation> = answer.simulations.iter().filter_map(Simulation::frame).collect();
+        say(&frame_simulations_text(&frames, manner.style()))?;
+        let others = answer.simulations.iter().filter(|of| of.frame().is_none());
+        for simulation in others {
             say(&text_of(simulation, manner.style()))?;
         }
         if let Some(why) = &answer.does_not_stand {
@@ -134,7 +139,7 @@ fn refuse_without_wind(options: &Options, typed: &Typed, found: &Found) -> Resul
 fn text_of(simulation: &Simulation, style: TextStyle) -> String {
     match simulation {
         Simulation::Chain(run) => chain_simulation_text(run, style),
-        Simulation::Frame(run) => frame_simulation_text(run, style),
+        Simulation::Frame(run) => frame_simulations_text(&[run], style),
         Simulation::Stack(run) => simulation_text(run, style),
         Simulation::Supports(run) => supports_text(run, style),
         Simulation::Settled(run) => settled_text(run, style),

@@ -27,8 +27,8 @@ messages! {
             ko: "축력(axial_force)이 주어지지 않아 각 층 상단과 그 위 질량의 무게로 보았다. P-델타 효과를 제외하려면 axial_force = 0으로 한다",
         },
         ColumnsNotInMotion => {
-            en: "columns: `dolmen check` says what free-standing columns hold; where joints or walls hold it too, simulations and studies move the frame on its storey stiffness and friction alone, without the columns' restoring moment",
-            ko: "columns(기둥): 자립 기둥의 복원력은 `dolmen check`에서 계산한다. 접합부나 벽체가 함께 지지하는 골조는 simulate와 study에서 층강성과 마찰만으로 거동을 해석하며 기둥의 복원모멘트를 반영하지 않는다",
+            en: "columns: `dolmen check` says what free-standing columns hold. Where joints or walls hold it too, runs of one storey soften where feet lift off if bed_stiffness says how beds and joints share its stiffness; other runs move on storey stiffness and friction alone, without the columns' restoring moment",
+            ko: "columns: 자립 기둥의 복원력은 `dolmen check`에서 확인한다. 접합부나 벽체도 지지하는 단층은 bed_stiffness로 지압면과 접합부의 강성 분담이 주어지면 주각이 들린 뒤의 강성 저하를 해석에 반영하고, 그 밖의 해석은 기둥의 복원모멘트 없이 층강성과 마찰만으로 거동한다",
         },
         JointDefaults { taken: String } => {
             en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping in frequencies, in the demand on elastic joints and in motion)",

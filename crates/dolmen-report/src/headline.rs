@@ -121,11 +121,9 @@ messages! {
             ko: "{word}(우발비틀림을 제외하면 저항/요구 {ratio})",
         },
         WordNoTorsion(word: Both) => { en: "{word} (accidental torsion is not included)", ko: "{word}(우발비틀림 미반영)" },
-        WordLiftsOff(word: Both) => {
-            en: "{word} (columns without ties lift off their stones, where the springs of their beds tell nothing)",
-            ko: "{word}(결구 없는 기둥의 주각이 초석에서 들리며, 그 뒤는 지압면의 강성으로 알 수 없음)",
-        },
+        WordLiftsOff(word: Both) => { en: "{word} (columns without ties lift off their stones, where the springs of their beds tell nothing)", ko: "{word}(결구 없는 기둥의 주각이 초석에서 들리며, 그 뒤는 지압면의 강성으로 알 수 없음)" },
         WordSplit(word: Both) => { en: "{word} (how beds and joints share the stiffness is assumed)", ko: "{word}(지압면과 접합부의 강성 분담은 가정)" },
+        WordNoBalance(word: Both) => { en: "{word} (feet lift off, and columns and joints have less than the spectrum asks for)", ko: "{word}(주각이 들리며 기둥과 접합부의 저항이 스펙트럼의 요구보다 작음)" },
         WordLoosePost(word: Both) => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
         WordNoStiffness(word: Both) => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
@@ -502,6 +500,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
         },
         (DecidedBy::LoosePost, _) => Headline::WordLoosePost(word),
         (DecidedBy::FeetLiftOff, _) => Headline::WordLiftsOff(word),
+        (DecidedBy::NoBalance, _) => Headline::WordNoBalance(word),
         (DecidedBy::SplitAssumed, _) => Headline::WordSplit(word),
         (DecidedBy::StiffnessUnknown, _) => match of.part.clone() {
             None => Headline::WordNoStiffness(word),

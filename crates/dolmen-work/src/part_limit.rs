@@ -1,5 +1,6 @@
 //! Parts of a structure compared with their limits: storeys, joints, dampers.
 
+use crate::frame::{BedsFrom, UnfollowedStorey};
 use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
 use dolmen::stability::stack::DemandVerdict;
 
@@ -64,20 +65,26 @@ pub struct Compared {
     pub not_compared: Vec<NotCompared>,
     /// Frames of one storey whose beds soften within these drifts, and share its stiffness with its joints.
     pub splits: Vec<SplitDrift>,
+    /// Storeys whose beds soften within these drifts, which are those of springs.
+    pub unfollowed: Vec<(String, UnfollowedStorey)>,
     /// Whether joints have dry friction, so that the worse of sticking and free joints counts.
     pub rubs: bool,
 }
 
-/// The drift of a storey by the spectrum over both extremes of a stiffness that beds and joints share.
+/// The drift of a storey by the spectrum where feet lift off, and beds and joints share its stiffness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SplitDrift {
     /// The direction.
     pub direction: String,
-    /// Drift ratio with all of the stiffness in joints and walls.
+    /// Origin of the stiffness of the beds: the file, or an extreme.
+    pub beds: BedsFrom,
+    /// Stiffness of the beds and of the joints, N/m.
+    pub shares_n_m: [f64; 2],
+    /// Drift ratio of the linear storey, as with all of the stiffness in joints and walls.
     pub in_joints: f64,
-    /// Drift ratio at which feet lift off with all of it in the beds.
+    /// Drift ratio at which feet lift off.
     pub uplift: f64,
-    /// The storey with all of it in the beds; an infinite demand where the spectrum asks for more than the columns have.
+    /// The storey with the force of its columns at any drift, and its joints; an infinite demand where the spectrum asks for more than they have.
     pub in_beds: PartLimit,
 }
 
@@ -105,6 +112,8 @@ pub enum WhyNotCompared {
     LoosePost,
     /// Columns that alone support it lift off at a smaller drift, and are softer beyond than the springs of their beds.
     FeetLiftOff,
+    /// Columns lift off at a smaller drift, and with the joints beside them have less than the spectrum asks for.
+    NoBalance,
 }
 
 impl PartLimit {

@@ -44,6 +44,19 @@ impl Simulation {
         }
     }
 
+    /// The run of a frame; `None` of another structure.
+    pub fn frame(&self) -> Option<&FrameSimulation> {
+        match self {
+            Simulation::Frame(of) => Some(of),
+            Simulation::Chain(_)
+            | Simulation::Stack(_)
+            | Simulation::Supports(_)
+            | Simulation::Settled(_)
+            | Simulation::Building(_)
+            | Simulation::Wind(_) => None,
+        }
+    }
+
     /// Whether a chain or frame moved without damping and friction.
     pub fn is_undamped(&self) -> bool {
         match self {

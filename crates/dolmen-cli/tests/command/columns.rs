@@ -85,14 +85,14 @@ fn holds_columns_that_do_not_stand_alone_are_a_finding() {
 #[test]
 fn holds_simulations_say_that_columns_are_left_out() {
     let scratch = Scratch::with_examples("columns_motion");
-    let simulated = scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns --peak 0.1g");
+    let simulate = "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --peak 0.1g";
+    let simulated = scratch.dolmen(simulate);
     assert!(
         simulated.stdout.contains("restoring moment"),
         "{}",
         simulated.stdout
     );
-    let korean =
-        scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns --peak 0.1g --language ko");
+    let korean = scratch.dolmen(&format!("{simulate} --language ko"));
     assert!(korean.stdout.contains("복원모멘트"), "{}", korean.stdout);
 }
 
@@ -139,10 +139,13 @@ fn holds_a_frame_of_one_storey_moves_on_its_columns_alone() {
         .map(|f| f.unwrap().file_name().into_string().unwrap())
         .collect();
     assert!(names.iter().any(|name| name.contains("columns")), "{names:?}");
-    // compliant beds beside joints: both extremes of what they share
+    // the beds are not given: both extremes of what beds and joints share
+    said("0.2g", "how beds and joints share the stiffness");
+    // given beds share it as they say
     let beds = scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns");
     assert!(
-        beds.words().contains("how beds and joints share the stiffness"),
+        beds.words()
+            .contains("its beds have 614 kN/m, as bed_stiffness gives it"),
         "{}",
         beds.stdout
     );

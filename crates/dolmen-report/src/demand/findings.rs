@@ -10,6 +10,7 @@ use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
+use dolmen_work::frame::UnfollowedStorey;
 use dolmen_work::part_limit::{Limited, NotCompared, PartLimit, SplitDrift, WhyNotCompared, worst_part};
 use dolmen_work::state::DemandAnswer;
 
@@ -107,6 +108,22 @@ messages! {
             en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints; with all of it in the beds of its columns, which soften where feet lift off at {lifts}, the spectrum asks for more than they have. `dolmen simulate` follows both.",
             ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}이다. 모두 기둥 지압면의 강성이면 {lifts}에서 주각이 들려 강성이 낮아지며, 스펙트럼의 요구가 기둥의 저항을 넘는다. `dolmen simulate`는 두 경우를 모두 해석한다.",
         },
+        SplitGiven { direction: String, storey: String, beds: Quantity, joints: Quantity, linear: Quantity, softened: Quantity, lifts: Quantity } => {
+            en: "Direction {direction}: of the stiffness of ‘{storey}’ the beds have {beds}, as bed_stiffness gives it, and joints and walls the other {joints}. Feet lift off at {lifts} of its height and soften it: by the spectrum it drifts by about {softened} (secant stiffness), as if linear by {linear}; the larger counts. `dolmen simulate` follows it.",
+            ko: "{direction} 방향: ‘{storey}’의 층강성 가운데 {beds}은(는) bed_stiffness에 따라 지압면이, 나머지 {joints}은(는) 접합부와 벽체가 부담한다. 층고의 {lifts}에서 주각이 들려 강성이 낮아지므로 스펙트럼에 의한 층간변위는 약 {softened}(할선 강성), 선형으로는 {linear}이며 큰 값으로 판정한다. `dolmen simulate`로 해석할 수 있다.",
+        },
+        NoBalanceIn(direction: String) => {
+            en: "Direction {direction} is not compared with the demand of the site: feet lift off, and by the secant stiffness the spectrum asks for a larger drift than columns and joints bear before the storey counts as fallen. `dolmen simulate` follows it.",
+            ko: "{direction} 방향은 주각이 들린 뒤 할선 강성에 의한 스펙트럼의 층간변위가 전도로 보는 변위를 넘으므로 부지의 설계지진과 비교하지 않는다. `dolmen simulate`로 검토한다.",
+        },
+        UnfollowedGiven { direction: String, storey: String, linear: Quantity, lifts: Quantity } => {
+            en: "Direction {direction}: by the spectrum ‘{storey}’ drifts by {linear} of its height as if linear; on beds as stiff as bed_stiffness says, feet lift off at {lifts} and soften it, which is followed in a frame of one storey without friction and tenons alone.",
+            ko: "{direction} 방향: 스펙트럼에 의한 ‘{storey}’의 선형 층간변위는 층고의 {linear}이다. bed_stiffness의 지압면에서는 {lifts}에서 주각이 들려 강성이 낮아지며, 이는 마찰과 장부가 없는 단층 골조에서만 추적한다.",
+        },
+        UnfollowedAssumed { direction: String, storey: String, linear: Quantity, lifts: Quantity } => {
+            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed. By the spectrum it drifts by {linear} of its height as if linear; with all of it in the beds of its columns feet lift off from {lifts} on and soften it. No range of the drift was computed, which is done in a frame of one storey without friction and tenons alone.",
+            ko: "{direction} 방향: ‘{storey}’의 지압면과 접합부의 강성 분담은 가정이다. 스펙트럼에 의한 선형 층간변위는 층고의 {linear}이며, 모두 기둥 지압면의 강성이면 {lifts}부터 주각이 들려 강성이 낮아진다. 층간변위의 범위는 마찰과 장부가 없는 단층 골조에서만 구하므로 여기서는 구하지 않았다.",
+        },
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
         NotCompared(why: Both) => {
             en: "The demand of the site is not compared: {why}.",
@@ -154,7 +171,9 @@ pub(crate) fn findings(
         },
         _ => part,
     });
+    // without a balance the finding on its beds and joints says so
     let without = answer.compared.not_compared.iter();
+    let without = without.filter(|of| of.why != WhyNotCompared::NoBalance);
     let without = without.map(|of| {
         let said = match (of.why, &of.direction, &answer.refused) {
             (WhyNotCompared::NoSpectrum, Some(direction), Some(why)) => Found::NotComparedIn {
@@ -171,7 +190,9 @@ pub(crate) fn findings(
         .then(|| Finding::key(Tone::Plain, Found::Rubs));
     let splits = answer.compared.splits.iter();
     let splits = splits.map(|of| Finding::key(Tone::Warn, split(of)));
-    let parts = parts.chain(splits).chain(rubs);
+    let unfollowed = answer.compared.unfollowed.iter();
+    let unfollowed = unfollowed.map(|(direction, of)| Finding::key(Tone::Warn, springs_alone(direction, of)));
+    let parts = parts.chain(splits).chain(unfollowed).chain(rubs);
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
     let compared = compared.into_iter().chain(refused).chain(without).chain(parts);
     let local = local_mechanisms::finding(&answer.local_mechanisms);
@@ -183,18 +204,52 @@ fn split(of: &SplitDrift) -> Found {
     let share = |ratio: f64| Quantity::percent(ratio, DIGITS);
     let (direction, storey) = (of.direction.clone(), of.in_beds.part.name().to_owned());
     let (joints, lifts) = (share(of.in_joints), share(of.uplift));
-    match of.in_beds.demand.is_finite() {
-        true => Found::Split {
+    let [beds, others] = of
+        .shares_n_m
+        .map(|value| Quantity::engineering(value, "N/m", DIGITS));
+    match (of.beds.is_file(), of.in_beds.demand.is_finite()) {
+        (true, true) => Found::SplitGiven {
+            direction,
+            storey,
+            beds,
+            joints: others,
+            linear: joints,
+            softened: share(of.in_beds.demand),
+            lifts,
+        },
+        (true, false) => Found::NoBalanceIn(direction),
+        (false, true) => Found::Split {
             direction,
             storey,
             joints,
             beds: share(of.in_beds.demand),
             lifts,
         },
-        false => Found::SplitFalls {
+        (false, false) => Found::SplitFalls {
             direction,
             storey,
             joints,
+            lifts,
+        },
+    }
+}
+
+/// A storey by springs alone, whose feet lift off.
+fn springs_alone(direction: &str, of: &UnfollowedStorey) -> Found {
+    let share = |ratio: f64| Quantity::percent(ratio, DIGITS);
+    let (direction, storey) = (direction.to_owned(), of.name.clone());
+    let (linear, lifts) = (share(of.drift), share(of.uplift));
+    match of.beds.is_file() {
+        true => Found::UnfollowedGiven {
+            direction,
+            storey,
+            linear,
+            lifts,
+        },
+        false => Found::UnfollowedAssumed {
+            direction,
+            storey,
+            linear,
             lifts,
         },
     }
@@ -208,6 +263,7 @@ pub(super) fn not_compared(of: &NotCompared) -> Found {
         (WhyNotCompared::FeetLiftOff, Some(direction)) => Found::FeetLiftOffIn(direction),
         (WhyNotCompared::StiffnessUnknown, None) => Found::NoStiffness,
         (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn(direction),
+        (WhyNotCompared::NoBalance, direction) => Found::NoBalanceIn(direction.unwrap_or_default()),
         (WhyNotCompared::NoSpectrum, None) => Found::NoSpectrum,
         (WhyNotCompared::NoSpectrum, Some(direction)) => Found::NoSpectrumIn(direction),
         (WhyNotCompared::Falls, None) => Found::Falls,

@@ -17,6 +17,10 @@ messages! {
             en: "Direction {direction}: {said}",
             ko: "{direction} 방향: {said}",
         },
+        OfDirections { directions: Vec<String>, said: Sentence } => {
+            en: "Directions {directions}: {said}",
+            ko: "{directions} 방향: {said}",
+        },
         StiffnessUnknown(needs: Values) => {
             en: "whether it stands is unknown, the storey stiffness is not given. P-delta takes {needs} from the storeys, lowest first.",
             ko: "층강성이 주어지지 않아 안정 여부를 판정할 수 없다. P-델타 효과가 아래층부터 강성을 {needs}만큼 감소시킨다.",
@@ -40,16 +44,19 @@ messages! {
     }
 }
 
-/// The findings, one direction after the other.
+/// The findings, one direction after the other; what all directions share of their columns is said once.
 pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
     let mut all: Vec<Finding> = Vec::new();
-    for direction in directions {
-        let columns = direction.columns.iter().flat_map(columns::findings);
+    for (at, direction) in directions.iter().enumerate() {
+        let columns = on_columns(direction);
+        let (shared, own): (Vec<Finding>, Vec<Finding>) = columns.into_iter().partition(|found| {
+            directions.len() > 1 && directions.iter().all(|other| on_columns(other).contains(found))
+        });
         let own = of_direction(&direction.check)
             .into_iter()
             .chain(slipping(direction))
             .chain(tenons(direction))
-            .chain(columns)
+            .chain(own)
             .map(|found| Finding {
                 sentence: Found::OfDirection {
                     direction: direction.direction.clone(),
@@ -59,6 +66,17 @@ pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
                 ..found
             });
         all.extend(own);
+        let shared = shared.into_iter().filter(|_| at == 0);
+        all.extend(shared.map(|found| {
+            Finding {
+                sentence: Found::OfDirections {
+                    directions: directions.iter().map(|of| of.direction.clone()).collect(),
+                    said: found.sentence,
+                }
+                .into(),
+                ..found
+            }
+        }));
         for finding in direction.check.notes.iter().map(load_finding) {
             // a mistake in the loads is the same in every direction
             if !all.contains(&finding) {
@@ -67,6 +85,11 @@ pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
         }
     }
     all
+}
+
+/// Findings on the columns of a direction.
+fn on_columns(direction: &DirectionCheck) -> Vec<Finding> {
+    direction.columns.iter().flat_map(columns::findings).collect()
 }
 
 fn of_direction(check: &FrameCheck) -> Vec<Finding> {

@@ -3,7 +3,7 @@
 use super::beside;
 use super::split;
 use super::tenons;
-use super::title::title;
+use super::title::{Title, title, title_of_all};
 use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{
@@ -47,10 +47,6 @@ messages! {
         ColumnsNeedOneStorey => {
             en: "The frame on its columns alone is moved only where it has one storey.",
             ko: "기둥만으로 거동하는 해석은 단층 골조에 한한다.",
-        },
-        ColumnsNeedRigidBeds => {
-            en: "The frame on its columns alone is moved only on rigid stones, without bed_stiffness, or with a stiffness of 0, without joints and walls: on beds that give way it falls sooner than on rigid stones.",
-            ko: "기둥만으로 거동하는 해석은 bed_stiffness가 없는 강체 초석이거나 접합부와 벽체 없이 stiffness가 0인 경우에 한한다. 지압면이 변형하면 강체 초석보다 일찍 전도된다.",
         },
         ColumnsNeedOneComponent => {
             en: "The frame on its columns alone is moved only under one component of a motion: under x and y together a foot rolls around its edge or on a corner, which is not followed.",
@@ -128,45 +124,132 @@ messages! {
 
 /// How each ended, as findings.
 pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
-    simulations
-        .iter()
-        .flat_map(|simulation| own(simulation))
-        .collect()
+    of_versions(simulations).into_iter().flatten().collect()
 }
 
-/// How one ended, and its storeys compared with their limit.
-pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
-    let mut all = vec![finding(simulation)];
-    all.extend(beside::findings(simulation, title(simulation)));
-    all.extend(undamped(simulation.undamped.as_ref()));
-    all.extend(columns(simulation));
-    all.extend(leans(simulation));
-    all.extend(tilt_left_out(simulation));
-    all.extend(loads(simulation));
-    all.extend(together(simulation));
-    all.extend(tenons::findings(simulation));
+/// A finding of one direction, and how it names its direction.
+struct Said {
+    finding: Finding,
+    names: Names,
+}
+
+/// How a finding names its direction.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Names {
+    /// It is about one direction.
+    One,
+    /// Its title names one or several.
+    Title,
+    /// It names none.
+    None,
+}
+
+/// The findings of each simulation; one that all directions of a version share is said once, in the first, and names all of them.
+pub(super) fn of_versions(simulations: &[&FrameSimulation]) -> Vec<Vec<Finding>> {
+    let same = |a: &&FrameSimulation, b: &&FrameSimulation| a.variant == b.variant;
+    let versions = simulations.chunk_by(same);
+    versions.flat_map(of_directions).collect()
+}
+
+fn of_directions(simulations: &[&FrameSimulation]) -> Vec<Vec<Finding>> {
+    let all = title_of_all(simulations);
+    let of_all: Vec<Vec<Said>> = simulations.iter().map(|of| own(of, &all)).collect();
+    let is_shared = |said: &Said| {
+        let has = |other: &Vec<Said>| other.iter().any(|of| of.finding == said.finding);
+        simulations.len() > 1 && said.names != Names::One && of_all.iter().all(has)
+    };
+    let each = simulations.iter().zip(&of_all).enumerate();
+    let each = each.map(|(at, (simulation, of_all))| {
+        let own = own(simulation, &title(simulation)).into_iter().zip(of_all);
+        let found = own.filter_map(|(own, shared)| match (is_shared(shared), at) {
+            (false, _) => Some(own.finding),
+            (true, 0) => Some(match shared.names {
+                Names::None => Finding {
+                    sentence: Title::OfDirections {
+                        of: all.clone(),
+                        said: shared.finding.sentence.clone(),
+                    }
+                    .into(),
+                    ..shared.finding.clone()
+                },
+                Names::One | Names::Title => shared.finding.clone(),
+            }),
+            (true, _) => None,
+        });
+        found.collect()
+    });
+    each.collect()
+}
+
+/// How one ended, and its storeys compared with their limit; `of` is the title of findings that directions may share.
+fn own(simulation: &FrameSimulation, of: &Sentence) -> Vec<Said> {
+    let named = |names: Names| move |finding: Finding| Said { finding, names };
+    let mut all: Vec<Said> = vec![named(Names::One)(finding(simulation))];
+    let beside = beside::findings(simulation, title(simulation));
+    all.extend(beside.into_iter().map(named(Names::One)));
+    all.extend(undamped(simulation.undamped.as_ref()).map(named(Names::None)));
+    all.extend(on_columns(simulation, of).into_iter().map(named(Names::Title)));
+    all.extend(columns_left_out(simulation).into_iter().map(named(Names::None)));
+    all.extend(unfollowed(simulation).into_iter().map(named(Names::One)));
+    all.extend(leans(simulation).map(named(Names::One)));
+    all.extend(tilt_left_out(simulation).map(named(Names::None)));
+    all.extend(loads(simulation).into_iter().map(named(Names::None)));
+    all.extend(together(simulation).into_iter().map(named(Names::One)));
+    all.extend(tenons::findings(simulation).into_iter().map(named(Names::One)));
     // a fall was already reported
     if !simulation.falls() {
-        all.extend(limits(simulation));
+        all.extend(limits(simulation).into_iter().map(named(Names::One)));
     }
     all
 }
 
-/// The motion of the frame on its columns alone, and that its own motion does not include them; empty if the file has none.
+/// The motion of the frame on its columns, and that its own motion does not include them; empty if the file has none.
 pub(super) fn columns(simulation: &FrameSimulation) -> Vec<Finding> {
-    let of_columns = match &simulation.columns {
-        ColumnsInMotion::Absent => return Vec::new(),
-        ColumnsInMotion::SeveralStoreys => Finding::new(Tone::Plain, Ending::ColumnsNeedOneStorey),
-        ColumnsInMotion::BesideJoints(None) => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
-        ColumnsInMotion::BesideJoints(Some(run)) => return vec![split::finding(simulation, run)],
-        ColumnsInMotion::OnBeds(run) => return vec![on_beds(simulation, run)],
-        ColumnsInMotion::BothComponents => Finding::new(Tone::Plain, Ending::ColumnsNeedOneComponent),
-        ColumnsInMotion::Alone(alone) => columns_alone(simulation, alone),
-    };
-    let mut all = vec![of_columns];
-    all.extend(lifts_off(simulation));
-    all.push(Finding::key(Tone::Warn, Ending::ColumnsLeftOut));
+    let mut all = on_columns(simulation, &title(simulation));
+    all.extend(columns_left_out(simulation));
+    all.extend(unfollowed(simulation));
     all
+}
+
+/// The motion of the frame on its columns, alone or beside joints.
+fn on_columns(simulation: &FrameSimulation, of: &Sentence) -> Vec<Finding> {
+    let own = match &simulation.columns {
+        ColumnsInMotion::BesideJoints(run) => Some(split::given(simulation, run, of.clone())),
+        ColumnsInMotion::OnBeds(run) => Some(on_beds(simulation, run, of.clone())),
+        ColumnsInMotion::Alone(alone) => Some(columns_alone(simulation, alone, of.clone())),
+        ColumnsInMotion::Absent
+        | ColumnsInMotion::SeveralStoreys
+        | ColumnsInMotion::JointsOfTheirOwn
+        | ColumnsInMotion::SplitAssumed
+        | ColumnsInMotion::BothComponents => None,
+    };
+    let assumed = simulation.all_in_beds.as_ref();
+    let assumed = assumed.map_or(Vec::new(), |assumed| split::assumed(simulation, assumed, of));
+    own.into_iter().chain(assumed).collect()
+}
+
+/// What the run leaves out of the columns: their motion alone, and their restoring moment.
+fn columns_left_out(simulation: &FrameSimulation) -> Vec<Finding> {
+    let not_moved = match &simulation.columns {
+        ColumnsInMotion::Absent | ColumnsInMotion::BesideJoints(_) | ColumnsInMotion::OnBeds(_) => {
+            return Vec::new();
+        }
+        ColumnsInMotion::SeveralStoreys => Some(Ending::ColumnsNeedOneStorey),
+        ColumnsInMotion::BothComponents => Some(Ending::ColumnsNeedOneComponent),
+        // said with both extremes
+        ColumnsInMotion::SplitAssumed => return Vec::new(),
+        ColumnsInMotion::JointsOfTheirOwn | ColumnsInMotion::Alone(_) => None,
+    };
+    let not_moved = not_moved.map(|said| Finding::new(Tone::Plain, said));
+    let left_out = Finding::key(Tone::Warn, Ending::ColumnsLeftOut);
+    not_moved.into_iter().chain([left_out]).collect()
+}
+
+/// Storeys on columns that lift off in a run that does not follow them.
+fn unfollowed(simulation: &FrameSimulation) -> Vec<Finding> {
+    let storeys = simulation.unfollowed.iter();
+    let storeys = storeys.map(|storey| split::unfollowed(simulation, storey));
+    lifts_off(simulation).into_iter().chain(storeys).collect()
 }
 
 /// A storey on columns that lift off in a run that does not follow them.
@@ -183,9 +266,9 @@ fn lifts_off(simulation: &FrameSimulation) -> Option<Finding> {
 }
 
 /// The motion on columns alone, on beds that give way.
-fn on_beds(simulation: &FrameSimulation, columns: &ColumnsOnBeds) -> Finding {
+fn on_beds(simulation: &FrameSimulation, columns: &ColumnsOnBeds, of: Sentence) -> Finding {
     let history = &columns.history;
-    let (of, count) = (title(simulation), columns.count);
+    let count = columns.count;
     let (uplift, drift) = (
         millimetres(history.uplift_drift_m),
         millimetres(history.peak_drift_m),
@@ -235,7 +318,7 @@ fn on_beds(simulation: &FrameSimulation, columns: &ColumnsOnBeds) -> Finding {
     }
 }
 
-fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone) -> Finding {
+fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone, of: Sentence) -> Finding {
     let history = &alone.history;
     let in_g = |a_m_s2: f64| {
         Quantity::new(
@@ -244,7 +327,7 @@ fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone) -> Finding 
             Digits::Fixed(3),
         )
     };
-    let (of, count) = (title(simulation), alone.count);
+    let count = alone.count;
     let uplift = in_g(alone.uplift_m_s2());
     let lifted = seconds(history.uplift_s.unwrap_or_default());
     let peak_rad = history.peak_rotation_rad;
@@ -312,6 +395,7 @@ pub(super) fn together(simulation: &FrameSimulation) -> Vec<Finding> {
     let shared = shared.map(|said| Finding::key(Tone::Plain, said));
     [Finding::key(Tone::Plain, said)]
         .into_iter()
+        .chain(split::together(simulation, together))
         .chain(shared)
         .collect()
 }

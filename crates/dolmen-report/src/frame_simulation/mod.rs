@@ -63,30 +63,35 @@ pub(crate) const TEMPLATES: [&[Template]; 9] = [
     title::Title::TEMPLATES,
 ];
 
-/// The outcome; in full each storey and the energy balance.
-pub fn frame_simulation_text(simulation: &FrameSimulation, style: TextStyle) -> String {
-    let found = findings_text(&ending::own(simulation), style);
-    if !style.is_full {
-        return found;
-    }
-    let mut document = Document::default();
-    ended(&mut document, simulation);
-    details(&mut document, simulation);
-    found + &document_text(&document, style)
+/// The outcome of every direction; in full each storey and the energy balance.
+pub fn frame_simulations_text(simulations: &[&FrameSimulation], style: TextStyle) -> String {
+    let found = ending::of_versions(simulations);
+    let each = simulations.iter().zip(&found).map(|(simulation, found)| {
+        let found = findings_text(found, style);
+        if !style.is_full {
+            return found;
+        }
+        let mut document = Document::default();
+        outcome(&mut document, simulation);
+        details(&mut document, simulation);
+        found + &document_text(&document, style)
+    });
+    each.collect()
 }
 
 /// One section per simulation.
 pub(crate) fn sections<'a>(simulations: &[&'a FrameSimulation]) -> Document<'a> {
     let mut document = Document::default();
     for simulation in simulations {
-        ended(&mut document, simulation);
+        outcome(&mut document, simulation);
+        notes(&mut document, simulation);
         motion_section(&mut document, &simulation.motion);
         details(&mut document, simulation);
     }
     document
 }
 
-fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
+fn outcome(document: &mut Document<'_>, simulation: &FrameSimulation) {
     document.heading(Simulated::Earthquake(title::title(simulation)));
     let said = capitalised(ending::ending(simulation));
     document.put(match simulation.history.outcome {
@@ -95,6 +100,10 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
             Block::Paragraph(std::iter::once(said).chain(ending::state(simulation)).collect())
         }
     });
+}
+
+/// What a page says behind the outcome; in the terminal it is among the findings.
+fn notes(document: &mut Document<'_>, simulation: &FrameSimulation) {
     let without = undamped(simulation.undamped.as_ref());
     let without = without
         .into_iter()

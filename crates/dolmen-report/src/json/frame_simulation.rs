@@ -51,7 +51,14 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "loads_left_out": simulation.loads_left_out,
         "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent && simulation.on_beds().is_none(),
         "columns_alone": columns_alone(&simulation.columns),
-        "all_stiffness_in_beds": simulation.all_in_beds().map(columns_on_beds),
+        "beds_beside_joints": beside_joints(&simulation.columns),
+        "all_stiffness_in_beds": simulation.all_in_beds.as_ref().map(|of| columns_on_beds(&of.run)),
+        "softening_not_followed": simulation.unfollowed.iter().filter(|of| of.lifts_off()).map(|of| as_json!({
+            "storey": of.name,
+            "is_bed_stiffness_given": of.beds.is_file(),
+            "drift_linear": of.drift,
+            "lift_off_drift": of.uplift,
+        })).collect::<Vec<_>>(),
         "together": simulation.together.as_ref().map(together),
         "lean": simulation.lean.as_ref().map(|lean| as_json!({
             "survey": lean.survey, "tilt": lean.written, "tilt_in_direction": simulation.tilt,
@@ -122,6 +129,8 @@ fn together(of: &FrameTogether) -> Value {
         "directions": of.directions,
         "storeys": storeys.collect::<Vec<_>>(),
         "peak_top_displacement_m": of.top_m,
+        "drift_with_lift_off_m": of.softened_m,
+        "drift_all_in_beds_m": of.all_in_beds_m,
         "shared_friction": of.shared.map(|shared| as_json!({ "step_s": shared.step_s, "change_of_peaks": shared.change })),
     })
 }
@@ -132,6 +141,8 @@ fn columns_alone(columns: &ColumnsInMotion) -> Value {
         ColumnsInMotion::OnBeds(run) => return columns_on_beds(run),
         ColumnsInMotion::Absent
         | ColumnsInMotion::SeveralStoreys
+        | ColumnsInMotion::JointsOfTheirOwn
+        | ColumnsInMotion::SplitAssumed
         | ColumnsInMotion::BesideJoints(_)
         | ColumnsInMotion::BothComponents => return Value::Null,
     };
@@ -157,6 +168,17 @@ fn columns_alone(columns: &ColumnsInMotion) -> Value {
         "peak_drift_m": alone.drift_m(history.peak_rotation_rad),
         "impacts": history.impacts.len(),
     })
+}
+
+/// The run with the beds that the file gives, and the joints beside them.
+fn beside_joints(columns: &ColumnsInMotion) -> Value {
+    let ColumnsInMotion::BesideJoints(run) = columns else {
+        return Value::Null;
+    };
+    let mut value = columns_on_beds(run);
+    value["bed_stiffness_n_m"] = run.beds_n_m.into();
+    value["joint_stiffness_n_m"] = run.run.joints_n_m.into();
+    value
 }
 
 fn columns_on_beds(of: &ColumnsOnBeds) -> Value {

@@ -13,7 +13,7 @@ mod watch;
 pub use crate::building_simulation::building_simulation_text;
 pub use crate::chain::chain_simulation_text;
 pub use crate::document::TextStyle;
-pub use crate::frame_simulation::frame_simulation_text;
+pub use crate::frame_simulation::frame_simulations_text;
 pub use crate::stack_simulation::{settled_text, simulation_text, supports_text};
 pub use crate::tune::{together_text, tune_text};
 pub use crate::wind_simulation::wind_simulation_text;

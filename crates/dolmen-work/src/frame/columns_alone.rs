@@ -1,13 +1,15 @@
-//! A frame on its free-standing columns alone, over time: rigid columns that rock under a rigid beam.
+//! A frame on its free-standing columns over time: rigid columns that rock under a rigid beam, alone or beside joints and walls.
 
+use super::softening::{BedsFrom, Softening};
 use super::together::Leaning;
 use crate::error::WorkError;
+use dolmen::assess::demand::DRIFT_RATIO_MOST;
 use dolmen::dynamics::{
     ColumnHistory, ColumnOutcome, ColumnRun, Rocking, RockingBlock, RockingHistory, RockingOutcome,
-    StoreyFriction, TimeFunction, rock_block, rock_on_beds,
+    TimeFunction, rock_block, rock_on_beds,
 };
-use dolmen::stability::FreeColumns;
-use dolmen_project::{FramePart, Quantity};
+use dolmen::stability::ColumnsBesideJoints;
+use dolmen_project::{ColumnsPart, FramePart, Quantity, StoreyPart};
 
 /// Result of a simulation for the free-standing columns of a frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,16 +18,36 @@ pub enum ColumnsInMotion {
     Absent,
     /// The frame has such columns, but several storeys.
     SeveralStoreys,
-    /// The frame has such columns on compliant beds beside joints and walls, and how they share its stiffness is assumed: its motion with all
-    /// of it in the beds; `None` where joints rub or have slack, which such a motion does not have.
-    BesideJoints(Option<Box<ColumnsOnBeds>>),
+    /// The frame has such columns beside joints that rub or have slack.
+    JointsOfTheirOwn,
+    /// The frame has such columns beside joints and walls, under x and y together or on beds that would be stiffer than the storey: all that is
+    /// known of its softening is the motion with all of the stiffness in the beds.
+    SplitAssumed,
+    /// The motion of the frame with the force of its columns on the beds given, and joints and walls beside them.
+    BesideJoints(Box<ColumnsOnBeds>),
     /// The motion of the frame on such columns on compliant beds, which alone support it.
     OnBeds(Box<ColumnsOnBeds>),
-    /// The frame has such columns, but the ground moves along x and y: rolling on a corner or around the edge is not
+    /// Such columns alone support the frame, but the ground moves along x and y: rolling on a corner or around the edge is not
     /// modelled.
     BothComponents,
     /// The motion of the frame on these columns alone.
     Alone(Box<ColumnsAlone>),
+}
+
+/// The frame on its columns, over time.
+pub(super) struct MovedColumns {
+    pub(super) columns: ColumnsInMotion,
+    /// With all of the stiffness in the beds, where the file does not say how beds and joints share it.
+    pub(super) all_in_beds: Option<Box<AllInBeds>>,
+}
+
+/// A frame of one storey that moves with all of its stiffness in the beds of its columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AllInBeds {
+    /// Its motion.
+    pub run: ColumnsOnBeds,
+    /// Why this is assumed.
+    pub beds: BedsFrom,
 }
 
 /// A frame of one storey that moves on its columns alone.
@@ -61,13 +83,15 @@ impl ColumnsAlone {
     }
 }
 
-/// A frame of one storey that moves on its columns alone, on compliant beds.
+/// A frame of one storey that moves on its columns, on compliant beds, alone or beside joints.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnsOnBeds {
     /// Number of columns.
     pub count: usize,
     /// Their height, m.
     pub height_m: f64,
+    /// k_b, stiffness of their beds at small drift, N/m; that of the joints is in the options.
+    pub beds_n_m: f64,
     /// The options of the run.
     pub run: ColumnRun,
     /// The history.
@@ -91,21 +115,22 @@ impl ColumnsOnBeds {
     }
 }
 
-/// The columns that alone support a frame of one storey, under a component of a motion; `None` for another frame.
+/// The columns of a frame of one storey, alone or beside joints on the beds that the file gives, under a component of a motion; `None` for another
+/// frame.
 pub(super) fn on_beds(
     leaning: &Leaning,
     ground: &TimeFunction,
-    (duration_s, output_step_s): (f64, f64),
+    how: (f64, f64),
 ) -> Result<Option<ColumnsOnBeds>, WorkError> {
-    let [Some(alone)] = leaning.alone.as_slice() else {
-        return Ok(None);
-    };
-    rocking(&alone.columns, leaning, ground, (duration_s, output_step_s))
+    match &leaning.held {
+        Some(held) => rocking(held, leaning, ground, how),
+        None => Ok(None),
+    }
 }
 
-/// A frame of one storey on these columns alone; `None` for several storeys.
+/// A frame of one storey on these columns and joints; `None` for several storeys.
 fn rocking(
-    columns: &FreeColumns,
+    held: &ColumnsBesideJoints,
     leaning: &Leaning,
     ground: &TimeFunction,
     (duration_s, output_step_s): (f64, f64),
@@ -117,85 +142,92 @@ fn rocking(
         damping_ratio: leaning.damping_ratio,
         tilt: leaning.tilt,
         output_step_s,
+        joints_n_m: held.joints_n_m,
+        // small drifts limit joints, not columns
+        drift_most_m: match held.joints_n_m == 0.0 {
+            true => f64::INFINITY,
+            false => DRIFT_RATIO_MOST * storey.height_m,
+        },
         ..ColumnRun::of(storey.mass_kg, duration_s)
     };
     Ok(Some(ColumnsOnBeds {
-        count: columns.count(),
+        count: held.columns.count(),
         height_m: storey.height_m,
-        history: rock_on_beds(columns, ground, &run)?,
+        beds_n_m: held.columns.bed_stiffness_n_m().unwrap_or(f64::INFINITY),
+        history: rock_on_beds(&held.columns, ground, &run)?,
         run,
     }))
 }
 
-/// A frame of one storey whose beds and joints share its stiffness, with all of it in the beds; `None` where joints rub or have slack, and
-/// where such columns do not stand.
-fn all_in_beds(
-    columns: &FreeColumns,
-    leaning: &Leaning,
-    ground: &TimeFunction,
-    how: (f64, f64),
-) -> Result<Option<ColumnsOnBeds>, WorkError> {
-    let frame = &leaning.frame;
-    let rubs = frame.friction().iter().any(|of| *of != StoreyFriction::None);
-    let has_slack = frame.tenons().iter().any(Option::is_some);
-    let ([stiffness_n_m], false) = (frame.stiffness_n_m(), rubs || has_slack) else {
-        return Ok(None);
-    };
-    let columns = columns.on_beds_of(*stiffness_n_m);
-    match columns.standing()? {
-        Some(_) => rocking(&columns, leaning, ground, how),
-        None => Ok(None),
-    }
-}
-
-/// Simulates the frame on its columns alone, for the duration of the frame's own run; no run with two components.
+/// Simulates the frame on its columns, for the duration of the frame's own run. Under two components (`in_plan`) each direction moves under its own.
 pub(super) fn columns_in_motion(
     (part, direction): (&FramePart, &str),
-    ground: Option<&TimeFunction>,
-    (duration_s, output_step_s): (f64, f64),
-) -> Result<ColumnsInMotion, WorkError> {
+    (ground, in_plan): (&TimeFunction, bool),
+    how: (f64, f64),
+) -> Result<MovedColumns, WorkError> {
     let pick = &mut Quantity::nominal;
+    let only = |columns| {
+        Ok(MovedColumns {
+            columns,
+            all_in_beds: None,
+        })
+    };
     if part.storeys.iter().all(|storey| storey.columns.is_none()) {
-        return Ok(ColumnsInMotion::Absent);
+        return only(ColumnsInMotion::Absent);
     }
-    let Some(ground) = ground else {
-        return Ok(ColumnsInMotion::BothComponents);
-    };
     let [storey] = part.storeys.as_slice() else {
-        return Ok(ColumnsInMotion::SeveralStoreys);
+        return only(ColumnsInMotion::SeveralStoreys);
     };
-    let Some(columns) = &storey.columns else {
-        return Ok(ColumnsInMotion::Absent);
+    let (Some(columns), Some(leaning)) = (&storey.columns, Leaning::of(part, direction, pick)?) else {
+        return only(ColumnsInMotion::Absent);
     };
-    let leaning = Leaning::of(part, direction, pick)?;
-    let how = (duration_s, output_step_s);
-    let run = leaning.as_ref().map(|leaning| on_beds(leaning, ground, how));
-    if let Some(run) = run.transpose()?.flatten() {
-        return Ok(ColumnsInMotion::OnBeds(Box::new(run)));
+    let is_alone = leaning.alone.iter().any(Option::is_some);
+    if is_alone && in_plan {
+        return only(ColumnsInMotion::BothComponents);
     }
-    if columns.bed_stiffness.is_some() {
-        let run = leaning.map(|leaning| {
-            let [own] = leaning.frame.frame().storeys() else {
-                return Ok(None);
-            };
-            all_in_beds(&columns.build(own, pick)?, &leaning, ground, how)
+    if let Some(run) = on_beds(&leaning, ground, how)? {
+        let run = Box::new(run);
+        return only(match is_alone {
+            true => ColumnsInMotion::OnBeds(run),
+            false => ColumnsInMotion::BesideJoints(run),
         });
-        let run = run.transpose()?.flatten();
-        return Ok(ColumnsInMotion::BesideJoints(run.map(Box::new)));
     }
-    let (width_m, height_m) = (pick(columns.foot.width()), pick(&storey.height));
-    // the file does not give the weight of the columns; as in the check, all mass is in the beam
+    let all_in_beds = match &leaning.assumed {
+        Some(Softening { held, beds }) if held.falls(f64::INFINITY)?.is_some() => {
+            rocking(held, &leaning, ground, how)?.map(|run| Box::new(AllInBeds { run, beds: *beds }))
+        }
+        _ => None,
+    };
+    let rubs = all_in_beds.is_none();
+    let columns = match (columns.bed_stiffness.is_some() || in_plan, rubs) {
+        (true, true) => ColumnsInMotion::JointsOfTheirOwn,
+        (true, false) => ColumnsInMotion::SplitAssumed,
+        (false, _) => {
+            let run = on_rigid_stones((part, storey, columns), ground, how)?;
+            ColumnsInMotion::Alone(Box::new(run))
+        }
+    };
+    Ok(MovedColumns { columns, all_in_beds })
+}
+
+/// The frame on its columns alone, on rigid stones. The file does not give the weight of the columns; as in the check, all mass is in the beam.
+fn on_rigid_stones(
+    (part, storey, columns): (&FramePart, &StoreyPart, &ColumnsPart),
+    ground: &TimeFunction,
+    (duration_s, output_step_s): (f64, f64),
+) -> Result<ColumnsAlone, WorkError> {
+    let (width_m, height_m) = (columns.foot.width().value, storey.height.value);
     let rocks_like = RockingBlock::frame_on_columns(width_m, height_m, f64::INFINITY, part.gravity_m_s2)?;
     let options = Rocking {
         duration_s: Some(duration_s),
         output_step_s,
         ..Rocking::default()
     };
-    Ok(ColumnsInMotion::Alone(Box::new(ColumnsAlone {
+    Ok(ColumnsAlone {
         count: columns.count,
         width_m,
         height_m,
         history: rock_block(&rocks_like, ground, &TimeFunction::Zero, &options)?,
         rocks_like,
-    })))
+    })
 }

@@ -1,12 +1,12 @@
 //! Storey drifts of a frame compared with their allowable drift.
 
-use super::FrameSimulation;
 use super::columns::{AloneStorey, alone_storeys};
 use super::lean::leaning;
 use super::loads::with_loads;
 use super::simulate::storey_names;
-use super::split::in_beds;
+use super::softening::{by_spectrum as softened_by_spectrum, unfollowed};
 use super::tenons::bearing_n_m;
+use super::{ColumnsOnBeds, FrameSimulation, UnfollowedStorey};
 use crate::error::WorkError;
 use crate::part_limit::{Compared, NotCompared, Part, PartLimit, SplitDrift, WhyNotCompared};
 use dolmen::assess::demand::{DriftLimit, SiteDemand, frame_drifts_by_spectrum};
@@ -40,7 +40,18 @@ pub(crate) fn by_spectrum(
                 continue;
             }
         };
-        let storeys = storey_names(part).into_iter().zip(frame.storeys());
+        let names = storey_names(part);
+        let springs_alone = unfollowed(
+            (part, &frame),
+            direction,
+            (&names, &drifts),
+            &mut Quantity::nominal,
+        )?;
+        let springs_alone = springs_alone.into_iter().filter(UnfollowedStorey::lifts_off);
+        compared
+            .unfollowed
+            .extend(springs_alone.map(|of| (name.clone(), of)));
+        let storeys = names.into_iter().zip(frame.storeys());
         let Some(leans) = with_loads(part, &frame, direction, at_rest[place].clone())? else {
             let direction = Some(name.clone());
             let why = WhyNotCompared::Falls;
@@ -52,26 +63,38 @@ pub(crate) fn by_spectrum(
         let each = storeys.zip(drifts).zip(leans.into_iter().zip(across)).zip(&alone);
         let mut lifts_off = false;
         for ((((storey, of), drift_m), (along, across)), alone) in each {
-            let split = in_beds((part, &frame), direction, (site, damping_ratio), drift_m)?;
-            compared.splits.extend(split.map(|(uplift, drift)| {
-                SplitDrift {
-                    direction: name.clone(),
-                    in_joints: drift_m / of.height_m,
-                    uplift,
-                    in_beds: PartLimit::of_drift(Part::Storey(storey.clone()), name, drift, limit)
-                        .taking([along, across]),
-                }
-            }));
+            let split = split_drift((part, &frame), direction, (site, damping_ratio), drift_m)?;
+            let split = split.map(|(split, softer)| SplitDrift {
+                in_beds: PartLimit::of_drift(Part::Storey(storey.clone()), name, softer, limit)
+                    .taking([along, across]),
+                ..split
+            });
+            // as the file shares the stiffness, there is one drift: the larger
+            let followed = split.as_ref().filter(|of| of.beds.is_file());
+            let softer = followed.map(|of| of.in_beds.demand);
+            let linear = drift_m / of.height_m;
+            compared.splits.extend(split);
             let pushed = along.abs() - part.tilt(name).abs();
-            let compared_part = PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
-                .taking([along, across])
-                .at_most(alone.as_ref().map(|alone| left_of_most(alone, pushed)));
+            let of_drift = |drift: f64| {
+                PartLimit::of_drift(Part::Storey(storey.clone()), name, drift, limit)
+                    .taking([along, across])
+                    .at_most(alone.as_ref().map(|alone| left_of_most(alone, pushed)))
+            };
+            let has_balance = softer.is_none_or(f64::is_finite);
+            let compared_part = match softer.filter(|softer| softer.is_finite()) {
+                Some(softer) => of_drift(softer.max(linear)),
+                None => of_drift(linear),
+            };
             let is_linear = alone
                 .as_ref()
                 .is_none_or(|alone| compared_part.demand + pushed <= alone.uplift);
-            match is_linear || compared_part.verdict() == DemandVerdict::Below {
-                true => compared.parts.push(compared_part),
-                false => lifts_off = true,
+            match compared_part.verdict() == DemandVerdict::Below {
+                false if !has_balance => compared.not_compared.push(NotCompared {
+                    direction: Some(name.clone()),
+                    why: WhyNotCompared::NoBalance,
+                }),
+                false if !is_linear => lifts_off = true,
+                _ => compared.parts.push(compared_part),
             }
         }
         if lifts_off {
@@ -81,6 +104,30 @@ pub(crate) fn by_spectrum(
         }
     }
     Ok(compared)
+}
+
+/// The drift by the spectrum where feet lift off, without its limit, and the drift ratio with the force of the columns; `None` where none lifts.
+fn split_drift(
+    (part, frame): (&FramePart, &Frame),
+    direction: &DirectionPart,
+    demand: (&SiteDemand, f64),
+    linear_m: f64,
+) -> Result<Option<(SplitDrift, f64)>, WorkError> {
+    let softened = softened_by_spectrum((part, frame), direction, demand, linear_m, &mut Quantity::nominal)?;
+    Ok(softened.map(|of| {
+        let held = of.softening.held;
+        let softer = of.drift.unwrap_or(f64::INFINITY);
+        let beds_n_m = held.columns.bed_stiffness_n_m().unwrap_or(f64::INFINITY);
+        let split = SplitDrift {
+            direction: direction.name.clone(),
+            beds: of.softening.beds,
+            shares_n_m: [beds_n_m, held.joints_n_m],
+            in_joints: linear_m / held.columns.height_m(),
+            uplift: of.uplift,
+            in_beds: PartLimit::of_drift(Part::Storey(String::new()), &direction.name, softer, None),
+        };
+        (split, softer)
+    }))
 }
 
 /// The drift ratio left up to the largest force of columns after what tilt and static loads push them at rest.
@@ -153,25 +200,39 @@ fn drifts(
 
 impl FrameSimulation {
     /// The drift of a frame of one storey compared with its allowable drift, as [`FrameSimulation::parts`], where the beds of its columns have
-    /// all of its stiffness; empty without such a run.
+    /// all of its stiffness, which the file does not say; empty without such a run.
     pub fn parts_all_in_beds(&self) -> Vec<PartLimit> {
-        let ([storey], [name]) = (self.frame.frame().storeys(), self.storeys.as_slice()) else {
+        let ([storey], [name], Some(assumed)) = (
+            self.frame.frame().storeys(),
+            self.storeys.as_slice(),
+            &self.all_in_beds,
+        ) else {
             return Vec::new();
         };
-        let together = self.lean.as_ref().map_or(0.0, |lean| lean.together);
-        let across = (together * together - self.tilt * self.tilt).max(0.0).sqrt();
+        let limit = self.drift_limit.as_ref();
+        let lean = self.lean.as_ref().map_or(0.0, |lean| lean.together);
+        let across = (lean * lean - self.tilt * self.tilt).max(0.0).sqrt();
         let pushed = self.static_drifts.first().copied().unwrap_or(0.0);
-        let parts = self.all_in_beds().map(|run| {
-            let drift = run.history.peak_drift_m / storey.height_m;
-            let part = Part::Storey(name.clone());
-            PartLimit::of_drift(part, &self.direction, drift, self.drift_limit.as_ref())
-                .taking([self.tilt.abs() + pushed, across])
-        });
-        parts.into_iter().collect()
+        let part = |direction: &str, drift_m: f64| {
+            PartLimit::of_drift(
+                Part::Storey(name.clone()),
+                direction,
+                drift_m / storey.height_m,
+                limit,
+            )
+        };
+        let own = part(&self.direction, assumed.run.history.peak_drift_m);
+        let mut all = vec![own.taking([self.tilt.abs() + pushed, across])];
+        if let Some(both) = self.together_once()
+            && let Some(drift_m) = both.all_in_beds_m
+        {
+            all.push(part(&both.direction(), drift_m).taking([lean, 0.0]));
+        }
+        all
     }
 
     /// The drift of each storey compared with its allowable drift, reduced by the surveyed lean; under two components also both directions
-    /// together. Where columns alone support the frame and lift off, the larger drift of their springs and of their own curve counts.
+    /// together. Where columns lift off on beds that the file gives, the larger drift of springs and of their own curve counts.
     pub fn parts(&self) -> Vec<PartLimit> {
         let limit = self.drift_limit.as_ref();
         let together = self.lean.as_ref().map_or(0.0, |lean| lean.together);
@@ -179,7 +240,7 @@ impl FrameSimulation {
         let storeys = self.frame.frame().storeys();
         let heights_m: Vec<f64> = storeys.iter().map(|storey| storey.height_m).collect();
         let each = self.storeys.iter().zip(&heights_m).zip(&self.history.drift_peaks);
-        let rocked = self.on_beds().filter(|run| run.lifts_off());
+        let rocked = self.on_beds().filter(|run| ColumnsOnBeds::lifts_off(run));
         let mut all: Vec<PartLimit> = each
             .zip(self.static_drifts.iter().zip(&self.columns_alone))
             .map(|(((name, height_m), peak), (pushed, alone))| {
@@ -188,9 +249,11 @@ impl FrameSimulation {
                 let of_spring = peak.value_m.abs() / height_m;
                 match (alone, rocked) {
                     // the columns follow their own curve: up to the fall, and up to the limit if there is one
-                    (Some(alone), Some(rocked)) => {
-                        let drift = of_spring.max(rocked.history.peak_drift_m / height_m);
-                        let falls = limit.map(|_| (alone.falls - self.tilt.abs() - pushed).max(0.0));
+                    (_, Some(rocked)) => {
+                        let history = &rocked.history;
+                        let drift = of_spring.max(history.peak_drift_m / height_m);
+                        let falls = history.falls_drift_m / height_m;
+                        let falls = limit.map(|_| (falls - self.tilt.abs() - pushed).max(0.0));
                         PartLimit::of_drift(part, &self.direction, drift, limit)
                             .taking(lean)
                             .at_most(falls)

@@ -4,8 +4,9 @@ use super::beside::beside;
 use super::columns::alone_storeys;
 use super::columns_alone::columns_in_motion;
 use super::loads::static_drifts;
+use super::softening::unfollowed;
 use super::together::{Plane, both_directions, has_both, horizontal, lean_together};
-use super::{FrameSimulation, FrameTogether};
+use super::{ColumnsOnBeds, FrameSimulation, FrameTogether, UnfollowedStorey};
 use crate::error::WorkError;
 use crate::in_runs::LeftOutOfRuns;
 use crate::motion::MotionAnswer;
@@ -86,7 +87,8 @@ pub(crate) fn simulate(
                 simulate_frame(&frame, &load, &run, reached)
             })?,
         };
-        let ground = (!in_plan).then_some(&load.ground_acceleration_m_s2);
+        let ground = (&load.ground_acceleration_m_s2, in_plan);
+        let moved = columns_in_motion((part, &direction), ground, (run_s, options.output_step_s))?;
         found.push(FrameSimulation {
             file: version.file.to_owned(),
             name: version.project.name.clone(),
@@ -104,7 +106,9 @@ pub(crate) fn simulate(
             loads_left_out: left_out.wind || left_out.forces,
             tilt_left_out: left_out.tilt.clone(),
             beside: beside((motion, component), &direction, &frame, &history),
-            columns: columns_in_motion((part, &direction), ground, (run_s, options.output_step_s))?,
+            unfollowed: unfollowed_storeys(part, &direction, &history)?,
+            columns: moved.columns,
+            all_in_beds: moved.all_in_beds,
             columns_alone: alone_storeys(part, &direction, &mut Quantity::nominal)?,
             direction,
             frame,
@@ -115,7 +119,54 @@ pub(crate) fn simulate(
             history,
         });
     }
+    soften_together(&mut found);
     Ok(found)
+}
+
+/// The storeys of a direction whose softening the run does not follow.
+fn unfollowed_storeys(
+    part: &FramePart,
+    direction: &str,
+    history: &FrameHistory,
+) -> Result<Vec<UnfollowedStorey>, WorkError> {
+    let Some(own) = part.directions.iter().find(|own| own.name == direction) else {
+        return Ok(Vec::new());
+    };
+    let pick = &mut Quantity::nominal;
+    let frame = part.build(pick)?;
+    let drifts_m: Vec<f64> = history.drift_peaks.iter().map(|peak| peak.value_m).collect();
+    unfollowed((part, &frame), own, (&storey_names(part), &drifts_m), pick)
+}
+
+/// Two directions under both components: the resultant of the largest drifts of both where feet lift off.
+fn soften_together(found: &mut [FrameSimulation]) {
+    let [x, y] = found else { return };
+    let (softened_m, all_in_beds_m) = (
+        resultant_m([&*x, &*y], |_| None),
+        resultant_m([&*x, &*y], |of| of.all_in_beds.as_ref().map(|of| &of.run)),
+    );
+    for together in [x, y].into_iter().filter_map(|run| run.together.as_mut()) {
+        together.softened_m = softened_m;
+        together.all_in_beds_m = all_in_beds_m.filter(|_| all_in_beds_m != softened_m);
+    }
+}
+
+/// The resultant of the largest drifts of both directions, on springs or on the columns followed, or assumed, whichever is larger; `None` where
+/// no foot lifts off.
+fn resultant_m(
+    runs: [&FrameSimulation; 2],
+    assumed: impl Fn(&FrameSimulation) -> Option<&ColumnsOnBeds>,
+) -> Option<f64> {
+    let softer = runs.map(|run| run.on_beds().or(assumed(run)).filter(|of| of.lifts_off()));
+    let peak_m = |at: usize| {
+        let own_m = runs[at].history.drift_peaks.first();
+        let own_m = own_m.map_or(0.0, |peak| peak.value_m.abs());
+        softer[at].map_or(own_m, |of| of.history.peak_drift_m.max(own_m))
+    };
+    softer
+        .iter()
+        .any(Option::is_some)
+        .then(|| peak_m(0).hypot(peak_m(1)))
 }
 
 /// The directions of a run.

@@ -1,7 +1,7 @@
 //! The simulation of a frame, with its input.
 
 use super::beside::FrameBeside;
-use super::{AloneStorey, ColumnsInMotion, ColumnsOnBeds, FrameTogether};
+use super::{AllInBeds, AloneStorey, ColumnsInMotion, ColumnsOnBeds, FrameTogether, UnfollowedStorey};
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
@@ -43,6 +43,10 @@ pub struct FrameSimulation {
     pub undamped: Option<Undamped>,
     /// The free-standing columns of the file: the frame's motion does not include their restoring moment; they may be simulated separately.
     pub columns: ColumnsInMotion,
+    /// The run with all of its stiffness in the beds of its columns, of a frame of one storey whose file does not say how beds and joints share it.
+    pub all_in_beds: Option<Box<AllInBeds>>,
+    /// Storeys with columns and joints whose softening is not followed.
+    pub unfollowed: Vec<UnfollowedStorey>,
     /// Weight of its static loads, N; it moves with the frame.
     pub carried_n: f64,
     /// The columns of storeys that only columns support; `None` for other storeys.
@@ -75,25 +79,15 @@ impl FrameSimulation {
         self.motion.motion.component_peak_m_s2(self.component)
     }
 
-    /// The run of the frame on its columns alone, on beds that give way; `None` without one.
+    /// The run of the frame with the force of its columns at any drift, on beds that give way, alone or beside joints; `None` without one. It counts
+    /// in the verdict.
     pub fn on_beds(&self) -> Option<&ColumnsOnBeds> {
         match &self.columns {
-            ColumnsInMotion::OnBeds(run) => Some(run),
+            ColumnsInMotion::OnBeds(run) | ColumnsInMotion::BesideJoints(run) => Some(run),
             ColumnsInMotion::Absent
             | ColumnsInMotion::SeveralStoreys
-            | ColumnsInMotion::BesideJoints(_)
-            | ColumnsInMotion::BothComponents
-            | ColumnsInMotion::Alone(_) => None,
-        }
-    }
-
-    /// The run of the frame with all of its stiffness in the beds of its columns, of a frame whose beds and joints share it; `None` without one.
-    pub fn all_in_beds(&self) -> Option<&ColumnsOnBeds> {
-        match &self.columns {
-            ColumnsInMotion::BesideJoints(run) => run.as_deref(),
-            ColumnsInMotion::Absent
-            | ColumnsInMotion::SeveralStoreys
-            | ColumnsInMotion::OnBeds(_)
+            | ColumnsInMotion::JointsOfTheirOwn
+            | ColumnsInMotion::SplitAssumed
             | ColumnsInMotion::BothComponents
             | ColumnsInMotion::Alone(_) => None,
         }

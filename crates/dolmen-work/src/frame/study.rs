@@ -204,32 +204,11 @@ pub(crate) fn row_and_rest(
     let tilt_y = model.across.as_ref().map_or(0.0, |across| across.tilt);
     if let (Some(second), true) = (&mut second, both) {
         lean_together([&mut first, second], model.together);
-        let moved = simulate_frame_in_plan(
-            [&first.frame, &second.frame],
-            [&first.load, &second.load],
-            [&first.run, &second.run],
-            &mut goes_on,
-        );
-        let moved = match moved {
-            Ok(moved) => moved,
-            Err(why) => return Some((refused(told_both(&WorkError::from(why))), None)),
-        };
-        let directions = model.directions.each_ref().map(String::as_str);
-        let together = FrameTogether::of(directions, [&first, second], &moved);
-        let [x, y] = &moved.histories;
-        let each = [
-            measured(run.clone(), (model, model.first.tilt), (&first.frame, x))?,
-            measured(run.clone(), (model, tilt_y), (&second.frame, y))?,
-        ];
-        let leanings = [Some(&model.first), model.across.as_ref()];
-        let drifts_m: Vec<f64> = together.storeys.iter().map(|of| of.drift_m).collect();
-        let mut leanings = leanings.into_iter().flatten();
-        let lifts_off = leanings.any(|of| lifts_off(model, of, &drifts_m));
-        if lifts_off && each.iter().all(|of| of.outcome != RunOutcome::Fell) {
-            return Some((refused(CaseRefused::FeetLiftOff.into()), None));
-        }
-        let rest = AtRest::of_frame(x).worse(AtRest::of_frame(y));
-        return Some((joined(each, model, Some(&together)), Some(rest)));
+        let found = both_at_once(&run, model, [&first, second], (span_s, &mut goes_on))?;
+        return Some(match found {
+            Ok((both, rest)) => (both, Some(rest)),
+            Err(why) => (refused(why), None),
+        });
     }
     let (mut all, mut rest) = (Vec::new(), None);
     let tilts = [model.first.tilt, tilt_y];
@@ -256,6 +235,60 @@ pub(crate) fn row_and_rest(
     }
 }
 
+/// Both directions under x and y at once; `None` if it was stopped.
+fn both_at_once(
+    run: &Run,
+    model: &FrameModel,
+    planes: [&Plane; 2],
+    (span_s, goes_on): ((f64, f64), &mut dyn FnMut(f64) -> bool),
+) -> Option<Result<(Run, AtRest), Both>> {
+    let moved = simulate_frame_in_plan(
+        planes.map(|plane| &plane.frame),
+        planes.map(|plane| &plane.load),
+        planes.map(|plane| &plane.run),
+        goes_on,
+    );
+    let moved = match moved {
+        Ok(moved) => moved,
+        Err(why) => return Some(Err(told_both(&WorkError::from(why)))),
+    };
+    let directions = model.directions.each_ref().map(String::as_str);
+    let together = FrameTogether::of(directions, planes, &moved);
+    let leanings = [&model.first, model.across.as_ref()?];
+    let (mut each, mut softens) = (Vec::new(), false);
+    for ((leaning, plane), history) in leanings.into_iter().zip(planes).zip(&moved.histories) {
+        let own = measured(run.clone(), (model, leaning.tilt), (&plane.frame, history))?;
+        let ground = &plane.load.ground_acceleration_m_s2;
+        // columns without joints are not followed under both
+        let softer = match leaning.alone.iter().any(Option::is_some) {
+            true => Ok(None),
+            false => softened(&own, (model, leaning), (ground, span_s)),
+        };
+        match softer {
+            Ok(softer) => {
+                softens |= softer.is_some();
+                each.push(softer.unwrap_or(own));
+            }
+            Err(why) => return Some(Err(why)),
+        }
+    }
+    let each = <[Run; 2]>::try_from(each).ok()?;
+    let drifts_m: Vec<f64> = together.storeys.iter().map(|of| of.drift_m).collect();
+    let mut leanings = leanings.into_iter();
+    let lifts_off = leanings.any(|of| lifts_off(model, of, &drifts_m));
+    if lifts_off && each.iter().all(|of| of.outcome != RunOutcome::Fell) {
+        return Some(Err(CaseRefused::FeetLiftOff.into()));
+    }
+    let [x, y] = &moved.histories;
+    let rest = AtRest::of_frame(x).worse(AtRest::of_frame(y));
+    let peaks_m = each.each_ref().map(peak_drift_m);
+    let mut both = joined(each, model, Some(&together));
+    if softens {
+        drifts_by(&mut both, (model, model.together), peaks_m[0].hypot(peaks_m[1]));
+    }
+    Some(Ok((both, rest)))
+}
+
 /// Whether a storey on columns alone drifts beyond the lift-off of their feet.
 fn lifts_off(model: &FrameModel, of: &Leaning, drifts_m: &[f64]) -> bool {
     let ratios = drifts_m.iter().zip(&model.heights_m);
@@ -266,24 +299,37 @@ fn lifts_off(model: &FrameModel, of: &Leaning, drifts_m: &[f64]) -> bool {
     })
 }
 
-/// The worse of a run on the springs of beds and of one on the force of columns over drift, where columns alone support a frame of one storey.
+/// The worse of a run on springs and of one on the force of columns over drift, where columns support a frame of one storey, alone or beside joints.
 /// An error gives the reason for no result: feet that lift off are not followed with several storeys, or in too irregular a motion.
 fn on_columns(
-    mut run: Run,
+    run: Run,
     (model, leaning): (&FrameModel, &Leaning),
     history: &FrameHistory,
     (ground, span_s): (&TimeFunction, (f64, f64)),
 ) -> Result<Run, Both> {
-    let columns = on_beds(leaning, ground, span_s).map_err(|why| told_both(&why))?;
-    let Some(columns) = columns else {
+    if leaning.held.is_none() {
         let drifts_m: Vec<f64> = history.drift_peaks.iter().map(|peak| peak.value_m).collect();
         return match run.outcome != RunOutcome::Fell && lifts_off(model, leaning, &drifts_m) {
             true => Err(CaseRefused::FeetLiftOff.into()),
             false => Ok(run),
         };
+    }
+    let softer = softened(&run, (model, leaning), (ground, span_s))?;
+    Ok(softer.unwrap_or(run))
+}
+
+/// The worse of a run on springs and of one on the force of columns over drift; `None` where no foot lifts off.
+fn softened(
+    run: &Run,
+    (model, leaning): (&FrameModel, &Leaning),
+    (ground, span_s): (&TimeFunction, (f64, f64)),
+) -> Result<Option<Run>, Both> {
+    let Some(columns) = on_beds(leaning, ground, span_s).map_err(|why| told_both(&why))? else {
+        return Ok(None);
     };
+    let mut run = run.clone();
     match columns.history.outcome {
-        ColumnOutcome::Stood => return Ok(run),
+        ColumnOutcome::Stood => return Ok(None),
         ColumnOutcome::Rocked => {}
         ColumnOutcome::NotConverged => return Err(CaseRefused::Irregular.into()),
         ColumnOutcome::Fell { at_s } => {
@@ -296,15 +342,29 @@ fn on_columns(
             run.part = model.storeys.first().cloned().unwrap_or_default();
         }
     }
-    if let RunMeasures::Frame(of) = &mut run.measures {
-        let peak_m = columns.history.peak_drift_m;
-        let more = (peak_m / columns.height_m - of.peak_drift_ratio).max(0.0);
-        of.peak_displacement_m = of.peak_displacement_m.max(peak_m);
-        of.peak_drift_m = of.peak_drift_m.max(peak_m);
-        of.peak_drift_ratio += more;
-        of.peak_lean_ratio += more;
+    drifts_by(&mut run, (model, 0.0), columns.history.peak_drift_m);
+    Ok(Some(run))
+}
+
+/// The largest drift of a run, m; 0 of a run without measures of a frame.
+fn peak_drift_m(run: &Run) -> f64 {
+    match &run.measures {
+        RunMeasures::Frame(of) => of.peak_drift_m,
+        _ => 0.0,
     }
-    Ok(run)
+}
+
+/// Raises the measures of a frame of one storey to a drift, if it is larger; the lean is at least that of the drift with the tilt `beside`.
+fn drifts_by(run: &mut Run, (model, beside): (&FrameModel, f64), drift_m: f64) {
+    let (RunMeasures::Frame(of), [height_m]) = (&mut run.measures, model.heights_m.as_slice()) else {
+        return;
+    };
+    let ratio = drift_m / height_m;
+    let more = (ratio - of.peak_drift_ratio).max(0.0);
+    of.peak_displacement_m = of.peak_displacement_m.max(drift_m);
+    of.peak_drift_m = of.peak_drift_m.max(drift_m);
+    of.peak_drift_ratio += more;
+    of.peak_lean_ratio = (of.peak_lean_ratio + more).max(ratio + beside);
 }
 
 /// The worse of two runs, with the larger measures of both, as resultants if both components act.

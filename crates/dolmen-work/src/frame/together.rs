@@ -1,6 +1,7 @@
 //! Both directions of a frame under one motion: the component in each, and their joint response.
 
 use super::columns::{AloneStorey, alone_storeys};
+use super::softening::{Softening, softening, why_springs_alone};
 use crate::error::WorkError;
 use crate::motion::MotionAnswer;
 use crate::part_limit::{Part, PartLimit};
@@ -11,6 +12,7 @@ use dolmen::dynamics::{
     TimeFunction, resultant_drifts, storeys_that_rub_both_ways,
 };
 use dolmen::signal::{Component, GroundMotion};
+use dolmen::stability::ColumnsBesideJoints;
 use dolmen_project::{FramePart, Pick, StudyPart};
 
 /// The joint response of two directions of a frame under two components.
@@ -20,6 +22,11 @@ pub struct FrameTogether {
     pub directions: [String; 2],
     /// The largest resultant drift of each storey, lowest first.
     pub storeys: Vec<FrameResultant>,
+    /// The drift of a frame of one storey, both directions together, where feet lift off: the largest drifts of both, each followed under its own
+    /// component, taken at one time, m; `None` where no foot lifts off.
+    pub softened_m: Option<f64>,
+    /// The same with all of the stiffness in the beds, where the file does not say how beds and joints share it.
+    pub all_in_beds_m: Option<f64>,
     /// Largest displacement of the top, both directions together, at the samples, m.
     pub top_m: f64,
     /// Storeys with friction in both directions, 0 the lowest.
@@ -63,6 +70,10 @@ pub(crate) struct Leaning {
     pub(super) alone: Vec<Option<AloneStorey>>,
     /// Viscous damping ratio.
     pub(super) damping_ratio: f64,
+    /// The columns of a frame of one storey whose force is followed at any drift, with the joints beside them.
+    pub(super) held: Option<ColumnsBesideJoints>,
+    /// The columns of a frame of one storey whose file does not say how beds and joints share its stiffness, with all of it in the beds.
+    pub(super) assumed: Option<Softening>,
 }
 
 impl Leaning {
@@ -80,7 +91,21 @@ impl Leaning {
         };
         let own = part.directions.iter().find(|own| own.name == direction);
         let damping_ratio = own.and_then(|own| own.damping_ratio.as_ref());
+        let softens = match own.filter(|own| why_springs_alone(part, own).is_none()) {
+            Some(own) => softening((part, frame.frame()), own, 0, pick)?,
+            None => None,
+        };
+        let alone_held = match alone.as_slice() {
+            [Some(alone)] => Some(ColumnsBesideJoints {
+                columns: alone.columns,
+                joints_n_m: 0.0,
+            }),
+            _ => None,
+        };
+        let held = softens.filter(|of| of.beds.is_file()).map(|of| of.held);
         Ok(Some(Leaning {
+            held: alone_held.or(held),
+            assumed: softens.filter(|of| !of.beds.is_file()),
             frame,
             tilt,
             damping_ratio: damping_ratio.map_or(0.0, pick),
@@ -210,6 +235,8 @@ impl FrameTogether {
         let drift = |history: &FrameHistory| history.drift_m(worst);
         FrameTogether {
             directions: directions.map(str::to_owned),
+            softened_m: None,
+            all_in_beds_m: None,
             storeys,
             top_m: top_m([x, y]),
             rubbing: storeys_that_rub_both_ways([&planes[0].frame, &planes[1].frame]),
@@ -233,9 +260,11 @@ impl FrameTogether {
     ) -> Vec<PartLimit> {
         let direction = self.direction();
         let storeys = names.iter().zip(heights_m).zip(&self.storeys);
+        let softened_m = self.softened_m.unwrap_or(0.0);
         let each = storeys.map(|((name, height_m), of)| {
             let part = Part::Storey(name.clone());
-            PartLimit::of_drift(part, &direction, of.drift_m / height_m, limit).taking([tilt, 0.0])
+            let drift = of.drift_m.max(softened_m) / height_m;
+            PartLimit::of_drift(part, &direction, drift, limit).taking([tilt, 0.0])
         });
         each.collect()
     }

@@ -75,6 +75,8 @@ pub enum DecidedBy {
     WithoutTorsion,
     /// No result: columns that alone support it lift off, and the springs of their beds are not valid beyond.
     FeetLiftOff,
+    /// No result: feet lift off, and columns and joints have less than the spectrum asks for.
+    NoBalance,
     /// No result: its feet lift off where the beds have all of its stiffness, and how beds and joints share it is assumed.
     SplitAssumed,
     /// No result: it does not stand without shaking.
@@ -251,6 +253,7 @@ impl DecidedBy {
             DecidedBy::Contradicted => "contradicted",
             DecidedBy::NoResponse => "no_response",
             DecidedBy::FeetLiftOff => "feet_lift_off",
+            DecidedBy::NoBalance => "no_balance",
             DecidedBy::SplitAssumed => "split_assumed",
             DecidedBy::DoesNotStand => "does_not_stand",
             DecidedBy::Unfinished => "unfinished",
@@ -280,7 +283,8 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
         found.extend(of_parts(&compared.parts, None));
     }
     let in_joints = Earthquake::worst(&found);
-    let splits = compared.splits.iter();
+    // where the file shares the stiffness there is one answer
+    let splits = compared.splits.iter().filter(|of| !of.beds.is_file());
     found.extend(splits.filter_map(|of| {
         split_assumed(
             in_joints,
@@ -332,6 +336,7 @@ fn of_none(of: &NotCompared) -> EarthquakeFinding {
         WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
         WhyNotCompared::LoosePost => DecidedBy::LoosePost,
         WhyNotCompared::FeetLiftOff => DecidedBy::FeetLiftOff,
+        WhyNotCompared::NoBalance => DecidedBy::NoBalance,
         WhyNotCompared::NoSpectrum => DecidedBy::NoResponse,
         WhyNotCompared::Falls | WhyNotCompared::FallsSlipping => DecidedBy::DoesNotStand,
     };

@@ -253,9 +253,14 @@ pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
     found
 }
 
-/// A frame that meets the demand with all of its stiffness in its joints, and not, or barely, with all of it in the beds of its columns.
+/// A frame whose file does not say how beds and joints share its stiffness, and that meets the demand with all of it in its joints, and not, or
+/// barely, with all of it in the beds of its columns.
 fn of_split(run: &FrameSimulation, in_joints: Earthquake, motion: &str) -> Option<EarthquakeFinding> {
-    let beds = run.all_in_beds().filter(|beds| beds.lifts_off())?;
+    let beds = run.all_in_beds.as_ref().map(|of| &of.run)?;
+    let together_m = run.together_once().and_then(|both| both.all_in_beds_m);
+    if !beds.lifts_off() && together_m.is_none() {
+        return None;
+    }
     let parts = run.parts_all_in_beds();
     let in_beds = match beds.is_followed() && !beds.falls() {
         true => Earthquake::worst(&of_parts(&parts, Some(motion))),

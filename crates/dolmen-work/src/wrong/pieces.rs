@@ -79,8 +79,8 @@ messages! {
             ko: "결구 없는 기둥의 주각이 초석에서 들렸는데 이는 단층이고 한 성분일 때만 추적한다. 그 뒤에는 지압면의 강성보다 유연하다",
         },
         Irregular => {
-            en: "columns without ties rock so irregularly that shorter steps still change the largest drift",
-            ko: "결구 없는 기둥의 거동이 불규칙하여 시간 간격을 줄여도 최대 변위가 달라진다",
+            en: "columns rock so irregularly that shorter steps still change the largest drift",
+            ko: "기둥의 거동이 불규칙하여 시간 간격을 줄여도 최대 변위가 달라진다",
         },
         NoDirectionKnown => {
             en: "the stiffness of no direction is known: `dolmen identify` finds those that frequencies allow",

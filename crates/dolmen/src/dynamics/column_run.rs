@@ -3,7 +3,8 @@
 /// Where the viscous dashpots of the columns act.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ColumnDashpots {
-    /// In the beds: the coefficient is c e′(θ)/e′(0), in proportion to the tangent stiffness of the beds, and nearly 0 where feet have lifted off.
+    /// In the beds and joints: the coefficient is c (k_j + k_b e′(θ)/e′(0))/(k_j + k_b), in proportion to the tangent stiffness, and without joints
+    /// nearly 0 where feet have lifted off.
     #[default]
     InBeds,
     /// Between the mass and the ground, with the same coefficient at any drift. It brakes columns that rock, the more the stiffer the
@@ -16,6 +17,10 @@ pub enum ColumnDashpots {
 pub struct ColumnRun {
     /// m, kg.
     pub mass_kg: f64,
+    /// k_j, stiffness of joints and walls beside the columns, linear in the drift, N/m: 0 or more. Default 0.
+    pub joints_n_m: f64,
+    /// Drift at which the mass counts as fallen, with its lean, where the columns have not fallen before, m. Default infinite.
+    pub drift_most_m: f64,
     /// ζ at small drift, –: 0 or more. Default 0.
     pub damping_ratio: f64,
     /// Default: in the beds.
@@ -35,6 +40,8 @@ impl ColumnRun {
     pub fn of(mass_kg: f64, duration_s: f64) -> Self {
         ColumnRun {
             mass_kg,
+            joints_n_m: 0.0,
+            drift_most_m: f64::INFINITY,
             damping_ratio: 0.0,
             dashpots: ColumnDashpots::default(),
             tilt: 0.0,
@@ -52,7 +59,7 @@ pub enum ColumnOutcome {
     Stood,
     /// Feet lifted off, and the columns did not fall.
     Rocked,
-    /// Drift and tilt reached the drift at which the columns have no resistance.
+    /// Drift and tilt reached the drift at which the columns alone have no resistance, or joints and columns together, or the largest drift allowed.
     Fell {
         /// Time, s; 0 if the tilt alone overturns them.
         at_s: f64,
@@ -68,7 +75,7 @@ pub struct ColumnEnergy {
     pub input_j: f64,
     /// Kinetic energy at the end.
     pub kinetic_j: f64,
-    /// Increase of the energy in beds, weight and tilt.
+    /// Increase of the energy in beds, joints, weight and tilt.
     pub stored_j: f64,
     /// Energy dissipated by the dashpots.
     pub damping_j: f64,
@@ -91,7 +98,7 @@ pub struct ColumnHistory {
     pub uplift_s: Option<f64>,
     /// Drift at which feet lift off, m.
     pub uplift_drift_m: f64,
-    /// Drift at which the columns have no resistance, m.
+    /// Drift at which they count as fallen, m.
     pub falls_drift_m: f64,
     /// Drift in balance, to which the columns return, m.
     pub rest_drift_m: f64,

@@ -3,7 +3,7 @@
 use super::DynamicsError;
 use super::column_run::{ColumnDashpots, ColumnEnergy, ColumnHistory, ColumnOutcome, ColumnRun};
 use super::excitation::TimeFunction;
-use crate::stability::{ColumnStanding, FreeColumns};
+use crate::stability::{ColumnPoint, ColumnsBesideJoints, FreeColumns};
 
 /// Intervals of the table of e(θ) beyond lift-off. Our choice: the error of e is below 1e-6 of the width.
 const INTERVALS: usize = 400;
@@ -68,59 +68,69 @@ const ERROR: [f64; 7] = [
 ];
 
 /// The equation of motion of the columns.
-pub(super) struct Motion<'a> {
-    columns: &'a FreeColumns,
-    standing: ColumnStanding,
+pub(super) struct Motion {
+    held: ColumnsBesideJoints,
+    uplift: ColumnPoint,
+    falls: ColumnPoint,
     /// e and its slope by x at the ends of the intervals, from x at the fall to 1.
     table: Vec<(f64, f64)>,
     x_least: f64,
     /// e′(0), m.
     slope_m: f64,
+    /// k_j/(k_j + k_b).
+    joints_share: f64,
     /// ω0, rad/s.
     omega: f64,
     /// Rotation in balance with the tilt, rad.
     balance_rad: f64,
 }
 
-impl<'a> Motion<'a> {
+impl Motion {
     /// `None` if the bed is rigid or the columns do not stand.
-    pub(super) fn of(columns: &'a FreeColumns, run: &ColumnRun) -> Result<Option<Self>, DynamicsError> {
-        let Some(beds_n_m) = columns.bed_stiffness_n_m() else {
+    pub(super) fn of(columns: &FreeColumns, run: &ColumnRun) -> Result<Option<Self>, DynamicsError> {
+        let held = ColumnsBesideJoints {
+            columns: *columns,
+            joints_n_m: run.joints_n_m,
+        };
+        let (Some(beds_n_m), Some(uplift)) = (columns.bed_stiffness_n_m(), columns.uplift()) else {
             return Ok(None);
         };
-        let Some(standing) = columns.standing()? else {
+        let Some(falls) = held.falls(run.drift_most_m)? else {
             return Ok(None);
         };
-        let uplift_rad = standing.uplift.rotation_rad;
-        let x_least = (uplift_rad / (1.2 * standing.falls.rotation_rad)).powf(EXPONENT);
+        let ratio = (uplift.rotation_rad / (1.2 * falls.rotation_rad)).min(0.9);
+        let x_least = ratio.powf(EXPONENT);
         let table = (0..=INTERVALS).map(|i| {
             let x = x_least + (1.0 - x_least) * i as f64 / INTERVALS as f64;
-            let rotation = uplift_rad * x.powf(-1.0 / EXPONENT);
+            let rotation = uplift.rotation_rad * x.powf(-1.0 / EXPONENT);
             let slope_m = columns.eccentricity_slope_m(rotation);
             (
                 columns.eccentricity_m(rotation),
                 -slope_m * rotation / (EXPONENT * x),
             )
         });
+        let whole_n_m = beds_n_m + held.joints_n_m;
         Ok(Some(Motion {
             table: table.collect(),
             x_least,
             slope_m: columns.eccentricity_slope_m(0.0),
-            omega: ((beds_n_m - columns.axial_n() / columns.height_m()) / run.mass_kg).sqrt(),
+            joints_share: held.joints_n_m / whole_n_m,
+            omega: ((whole_n_m - columns.axial_n() / columns.height_m()) / run.mass_kg).sqrt(),
             balance_rad: 0.0,
-            columns,
-            standing,
+            held,
+            uplift,
+            falls,
         }))
     }
 
     pub(super) fn falls_rad(&self) -> f64 {
-        self.standing.falls.rotation_rad
+        self.falls.rotation_rad
     }
 
     /// The rotation at the start, after that in balance was found; `None` if the tilt overturns the columns.
     pub(super) fn start_rad(&mut self, run: &ColumnRun) -> Result<Option<f64>, DynamicsError> {
-        let push_n = self.columns.axial_n() * run.tilt.abs();
-        let Some(found) = self.columns.rotation_under_rad(push_n)? else {
+        let push_n = self.held.columns.axial_n() * run.tilt.abs();
+        let Some(found) = self.held.rotation_under_rad(push_n, run.drift_most_m)? else {
             return Ok(None);
         };
         self.balance_rad = found.copysign(run.tilt);
@@ -129,15 +139,15 @@ impl<'a> Motion<'a> {
 
     /// A history of columns that fall at once.
     pub(super) fn fallen(&self, run: &ColumnRun) -> ColumnHistory {
-        let falls_drift_m = self.standing.falls.drift_m;
+        let falls_drift_m = self.falls.drift_m;
         ColumnHistory {
             outcome: ColumnOutcome::Fell { at_s: 0.0 },
             time_s: vec![0.0],
             drift_m: vec![0.0],
-            peak_drift_m: (falls_drift_m - run.tilt.abs() * self.columns.height_m()).max(0.0),
+            peak_drift_m: (falls_drift_m - run.tilt.abs() * self.held.columns.height_m()).max(0.0),
             peak_at_s: 0.0,
             uplift_s: Some(0.0),
-            uplift_drift_m: self.standing.uplift.drift_m,
+            uplift_drift_m: self.uplift.drift_m,
             falls_drift_m,
             rest_drift_m: 0.0,
             energy: ColumnEnergy::default(),
@@ -149,7 +159,7 @@ impl<'a> Motion<'a> {
     /// e and e′ at a rotation, by the table beyond lift-off.
     fn lever(&self, rotation: f64) -> (f64, f64) {
         let size = rotation.abs();
-        let uplift_rad = self.standing.uplift.rotation_rad;
+        let uplift_rad = self.uplift.rotation_rad;
         if size <= uplift_rad {
             return (self.slope_m * rotation, self.slope_m);
         }
@@ -168,7 +178,7 @@ impl<'a> Motion<'a> {
 
     /// u_θ, z_θ and the inertia over m.
     fn path(&self, rotation: f64, e: f64) -> (f64, f64, f64) {
-        let h = self.columns.height_m();
+        let h = self.held.columns.height_m();
         let (sin, cos) = rotation.sin_cos();
         (
             h * cos + 2.0 * e * sin,
@@ -178,16 +188,17 @@ impl<'a> Motion<'a> {
     }
 
     fn rates(&self, state: &State, acceleration: f64, run: &ColumnRun) -> State {
-        let [rotation, speed, ..] = *state;
+        let [rotation, speed, drift_m, ..] = *state;
         let (e, slope) = self.lever(rotation);
         let (sway, rise, inertia) = self.path(rotation, e);
         let share = match run.dashpots {
-            ColumnDashpots::InBeds => slope / self.slope_m,
+            ColumnDashpots::InBeds => self.joints_share + (1.0 - self.joints_share) * slope / self.slope_m,
             ColumnDashpots::Constant => 1.0,
         };
         let dashpot = 2.0 * run.damping_ratio * self.omega * share * sway * sway; // over m
-        let weight = self.columns.axial_n() / run.mass_kg;
-        let push = (weight * run.tilt - acceleration) * sway;
+        let weight = self.held.columns.axial_n() / run.mass_kg;
+        let joints = self.held.joints_n_m / run.mass_kg * drift_m;
+        let push = (weight * run.tilt - acceleration - joints) * sway;
         let faster = (push - weight * rise - dashpot * speed - 4.0 * e * slope * speed * speed) / inertia;
         [
             speed,
@@ -226,7 +237,7 @@ impl<'a> Motion<'a> {
                 .sum();
             (h * sum).abs()
         };
-        let uplift = self.standing.uplift.rotation_rad;
+        let uplift = self.uplift.rotation_rad;
         let of_rotation = error(0) / (uplift + state[0].abs().max(next[0].abs()));
         let of_speed = error(1) / (uplift * self.omega + state[1].abs().max(next[1].abs()));
         let error = of_rotation.max(of_speed) / tolerance;
@@ -245,7 +256,7 @@ impl<'a> Motion<'a> {
         run: &ColumnRun,
         (start_rad, tolerance): (f64, f64),
     ) -> ColumnHistory {
-        let drift_at = |rotation: f64| self.columns.at(rotation.abs()).drift_m.copysign(rotation);
+        let drift_at = |rotation: f64| self.held.columns.at(rotation.abs()).drift_m.copysign(rotation);
         let start_m = drift_at(start_rad);
         let mut breaks_s = ground.breaks_s(run.duration_s);
         breaks_s.push(run.duration_s);
@@ -297,10 +308,11 @@ impl<'a> Motion<'a> {
         watch.end(&state, (run, start_rad), is_open)
     }
 
-    /// Energy in beds and weight up to a rotation, and in the tilt at a drift, J.
+    /// Energy in beds and weight up to a rotation, and in joints and the tilt at a drift, J.
     fn stored_j(&self, rotation: f64, drift_m: f64, run: &ColumnRun) -> f64 {
-        let rises = self.columns.rise_between_m(0.0, rotation.abs());
-        self.columns.axial_n() * (rises - run.tilt * drift_m)
+        let rises = self.held.columns.rise_between_m(0.0, rotation.abs());
+        let joints_j = 0.5 * self.held.joints_n_m * drift_m * drift_m;
+        self.held.columns.axial_n() * (rises - run.tilt * drift_m) + joints_j
     }
 }
 
@@ -312,7 +324,7 @@ struct Stepped {
 
 /// Peaks, samples and events of a run.
 struct Watch<'a> {
-    motion: &'a Motion<'a>,
+    motion: &'a Motion,
     history: ColumnHistory,
     /// τ h, m.
     leans_m: f64,
@@ -321,13 +333,13 @@ struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    fn new(motion: &'a Motion<'a>, run: &ColumnRun, start_m: f64) -> Self {
+    fn new(motion: &'a Motion, run: &ColumnRun, start_m: f64) -> Self {
         let balance = motion.balance_rad;
-        let rest_drift_m = motion.columns.at(balance.abs()).drift_m.copysign(balance);
-        let uplift_drift_m = motion.standing.uplift.drift_m;
+        let rest_drift_m = motion.held.columns.at(balance.abs()).drift_m.copysign(balance);
+        let uplift_drift_m = motion.uplift.drift_m;
         Watch {
             motion,
-            leans_m: run.tilt * motion.columns.height_m(),
+            leans_m: run.tilt * motion.held.columns.height_m(),
             output_step_s: run.output_step_s,
             fell_s: None,
             history: ColumnHistory {
@@ -374,7 +386,7 @@ impl<'a> Watch<'a> {
             see_peak(low);
         }
         see_peak(1.0);
-        let lifts_m = self.motion.standing.uplift.drift_m;
+        let lifts_m = self.motion.uplift.drift_m;
         if self.history.uplift_s.is_none() && u1.abs() > lifts_m {
             let share = (lifts_m - u0.abs()) / (u1.abs() - u0.abs());
             self.history.uplift_s = Some(from_s + share.clamp(0.0, 1.0) * step_s);
@@ -385,7 +397,7 @@ impl<'a> Watch<'a> {
             self.history.time_s.push(next_s);
             self.history.drift_m.push(drift((next_s - from_s) / step_s));
         }
-        if (u1 + self.leans_m).abs() >= self.motion.standing.falls.drift_m {
+        if (u1 + self.leans_m).abs() >= self.motion.falls.drift_m {
             self.fell_s = Some(to_s);
         }
     }

@@ -8,7 +8,7 @@
 //! | k, k_b | `stiffness_n_m` | stiffness of a storey; contribution of the beds of its columns | N/m |
 //! | N, τ | `axial_n`, `tilt` | weight on a storey; its stress-free lean, horizontal over vertical | N, – |
 
-use super::free_columns::FreeColumns;
+use super::free_columns::{ColumnsBesideJoints, FreeColumns};
 use super::{StabilityError, Verdict, frame_stability};
 use crate::numeric::{Bracketing, bracketed_root, maximum_between};
 use crate::structure::{Convention, Frame, StructureError};
@@ -310,8 +310,8 @@ fn together(
 enum StoreyLaw {
     /// k − N/l, N/m.
     Springs(f64),
-    /// Free-standing columns, and the additional k − k_b, N/m.
-    Columns(FreeColumns, f64),
+    /// Free-standing columns, and joints.
+    Columns(ColumnsBesideJoints),
 }
 
 /// Limits of a storey's drift.
@@ -329,13 +329,7 @@ impl StoreyLaw {
         let Some(columns) = columns else {
             return StoreyLaw::Springs(stiffness_n_m - geometric_n_m);
         };
-        match columns.bed_stiffness_n_m() {
-            _ if stiffness_n_m == 0.0 => StoreyLaw::Columns(*columns, 0.0),
-            Some(beds_n_m) if beds_n_m <= stiffness_n_m => {
-                StoreyLaw::Columns(*columns, stiffness_n_m - beds_n_m)
-            }
-            Some(_) | None => StoreyLaw::Columns(columns.on_beds_of(stiffness_n_m), 0.0),
-        }
+        StoreyLaw::Columns(ColumnsBesideJoints::sharing(columns, stiffness_n_m))
     }
 
     /// Force at a drift, or at a rotation of the columns.
@@ -345,11 +339,11 @@ impl StoreyLaw {
                 drift_m: place,
                 force_n: net_n_m * place,
             },
-            StoreyLaw::Columns(columns, springs_n_m) => {
-                let of = columns.at(place);
+            StoreyLaw::Columns(held) => {
+                let of = held.at(place);
                 StoreyPoint {
                     drift_m: of.drift_m,
-                    force_n: of.force_n + springs_n_m * of.drift_m,
+                    force_n: of.force_n,
                 }
             }
         }
@@ -358,8 +352,8 @@ impl StoreyLaw {
     fn reach(&self, most_m: f64) -> Result<PushLimit, StabilityError> {
         let (end_at, greatest_at) = match self {
             StoreyLaw::Springs(net_n_m) => (most_m, if *net_n_m > 0.0 { most_m } else { 0.0 }),
-            StoreyLaw::Columns(columns, _) => {
-                let end_rad = columns.rotation_at_rad(most_m)?;
+            StoreyLaw::Columns(held) => {
+                let end_rad = held.columns.rotation_at_rad(most_m)?;
                 let top_rad = maximum_between(&|rotation| self.at(rotation).force_n, 0.0, end_rad);
                 let candidates = [0.0, top_rad, end_rad];
                 let force = |rotation: &f64| self.at(*rotation).force_n;
@@ -390,7 +384,7 @@ impl StoreyLaw {
         }
         Ok(Some(match self {
             StoreyLaw::Springs(net_n_m) => force_n / net_n_m,
-            StoreyLaw::Columns(..) => {
+            StoreyLaw::Columns(_) => {
                 let off = |rotation: f64| self.at(rotation).force_n - force_n;
                 let at = bracketed_root(off, 0.0, reach.greatest_at, &Bracketing::default())?;
                 self.at(at).drift_m
@@ -406,7 +400,7 @@ impl StoreyLaw {
         match self {
             StoreyLaw::Springs(_) => [0.0, reach.end_at].map(|drift_m| self.at(drift_m)).to_vec(),
             // squared: the curvature is largest where the feet lift off
-            StoreyLaw::Columns(..) => (0..CURVE_POINTS)
+            StoreyLaw::Columns(_) => (0..CURVE_POINTS)
                 .map(|i| self.at(share(i, CURVE_POINTS).powi(2) * reach.end_at))
                 .collect(),
         }

@@ -26,5 +26,7 @@ pub use frame_lean::frame_lean_at_rest;
 pub use frame_loads::{
     FramePush, FrameUnderLoads, StoreyEnd, StoreyPoint, StoreyUnderLoads, frame_under_loads,
 };
-pub use free_columns::{ColumnPoint, ColumnStanding, FootPressure, FootSection, FreeColumns};
+pub use free_columns::{
+    ColumnPoint, ColumnStanding, ColumnsBesideJoints, FootPressure, FootSection, FreeColumns,
+};
 pub use verdict::Verdict;

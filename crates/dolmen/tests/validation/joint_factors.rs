@@ -332,7 +332,24 @@ fn refuses_modes_that_cannot_be_told() {
 
 #[test]
 fn exact_factors_of_beds_where_posts_stand_side_by_side() {
-    // a base, four separate posts, a roof on all of them, and a body
+    // the order of the posts changes which shapes rounding chooses for their modes of one frequency, and nothing else
+    let found = [[0, 1, 2, 3], [2, 0, 3, 1], [3, 2, 1, 0]].map(factors_of_four_posts);
+    let paired = |of: &JointFactors| -> Vec<(StackMotion, usize)> {
+        of.modes.iter().map(|mode| (mode.motion, mode.number)).collect()
+    };
+    for other in &found[1..] {
+        assert_eq!(paired(other), paired(&found[0]));
+        for (a, b) in other.factors.iter().zip(&found[0].factors) {
+            assert!(
+                (a.best.unwrap() / b.best.unwrap() - 1.0).abs() < 1e-6,
+                "{a:?} {b:?}"
+            );
+        }
+    }
+}
+
+/// The factors of a base, four separate posts in some order, a roof on all of them, and a body, of three sways along x and along y.
+fn factors_of_four_posts(order: [usize; 4]) -> JointFactors {
     let stone = |name: &str, [x, y, z]: [f64; 3], [width, depth, height]: [f64; 3]| Block {
         name: name.to_owned(),
         solid: Solid::cuboid(width, depth, height).unwrap().placed(&Placement {
@@ -342,12 +359,13 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
         density_kg_m3: DENSITY,
     };
     let mut blocks = vec![stone("base", [0.0; 3], [2.4, 2.8, 0.5])];
-    for (name, x, y) in [
+    let posts = [
         ("a", 0.8, 1.0),
         ("b", -0.8, 1.0),
         ("c", -0.8, -1.0),
         ("d", 0.8, -1.0),
-    ] {
+    ];
+    for (name, x, y) in order.map(|at| posts[at]) {
         blocks.push(stone(name, [x, y, 0.5], [0.4, 0.4, 1.2]));
     }
     blocks.push(stone("roof", [0.0, 0.0, 1.7], [2.2, 2.6, 0.4]));
@@ -366,9 +384,8 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
     let all: Vec<MeasuredStackMode> = [0, 1]
         .into_iter()
         .flat_map(|axis| {
-            // higher ones lie among those of the posts alone, which sway at one frequency in shapes that rounding chooses
-            let two: Vec<StackMode> = sways(&made, axis).into_iter().take(2).collect();
-            two.into_iter().map(move |mode| (axis, mode))
+            let three: Vec<StackMode> = sways(&made, axis).into_iter().take(3).collect();
+            three.into_iter().map(move |mode| (axis, mode))
         })
         .map(|(axis, mode)| of_levels(&stack, measured(&stack, axis, &mode, 1e-5, Some(1e-5))))
         .collect();
@@ -380,7 +397,10 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
     assert_eq!(found.of, StiffnessOf::Bed);
     assert_eq!(found.factors.len(), 4);
     assert_eq!(found.factors[1].joints.len(), 4);
-    assert!(found.modes.len() >= 3, "{:?}", found.unused);
+    // all three along x: as drawn the third is most like the fourth (MAC 0.60), and at the springs of the first two it is the third
+    let along_x = found.modes.iter().filter(|mode| mode.motion == StackMotion::X);
+    let numbers: Vec<usize> = along_x.map(|mode| mode.number).collect();
+    assert_eq!(numbers, [1, 2, 3], "{:?} {:?}", found.modes, found.unused);
     for (factor, truth) in found.factors.iter().zip(truth) {
         let best = factor.best.unwrap_or_else(|| panic!("{factor:?}"));
         assert!((best / truth - 1.0).abs() < 1e-5, "{best} for {truth}");
@@ -388,6 +408,7 @@ fn exact_factors_of_beds_where_posts_stand_side_by_side() {
     for mode in &found.modes {
         assert!((mode.energy_shares.iter().sum::<f64>() - 1.0).abs() < 1e-9);
     }
+    found
 }
 
 /// The same after merging all points of one height: posts that sway equally.

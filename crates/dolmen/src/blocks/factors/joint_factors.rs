@@ -10,16 +10,19 @@
 use super::super::contact_points::ContactRule;
 use super::super::error::BlocksError;
 use super::error::JointFactorsError;
-use super::families::families;
+use super::families::{Family, families};
 use super::measured::{Assumed, MeasuredStackMode, check_measured};
-use super::model::{FactorModel, product};
-use super::pairing::{Pairing, assurance, pair};
+use super::model::{Datum, FactorModel, product};
+use super::pairing::{Paired, assurance, pair};
 use super::ranges::{Ranges, ranges};
-use super::result::{CommonFactor, JointFactor, JointFactors, PairedBy, PairedMode};
+use super::result::{CommonFactor, JointFactor, JointFactors, PairedBy, PairedMode, UnusedMode};
 use super::sight::fixed_combinations;
 use super::unknowns::{Unknowns, multiplied, resettled_stiffness, unknowns};
 use crate::structure::stack::Stack;
 use dolmen_linalg::LinalgError;
+
+/// Smallest MAC of a shape that leaves no doubt of its mode. Our choice, as for modes of models beside measured ones.
+const NO_DOUBT_LEAST: f64 = 0.8;
 
 /// Options of the search for joint factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,19 +97,14 @@ pub fn joint_factors(
     check_options(options)?;
     let unknowns = unknowns(stack, options.contact_rule, options.joints_most)?;
     let families = families(&unknowns)?;
-    let assumed = Assumed {
-        frequency_sd: options.frequency_sd_assumed,
-        shape_sd: options.shape_sd_assumed,
-    };
-    let Pairing { data, paired, unused } = pair(stack, &unknowns.mass, &families, measured, &assumed)?;
-    if data.is_empty() {
+    let PairedModel {
+        model,
+        paired,
+        unused,
+    } = paired_model((stack, measured), &unknowns, families, options)?;
+    if model.data.is_empty() {
         return Err(JointFactorsError::NonePaired { unused });
     }
-    let model = FactorModel {
-        families,
-        data,
-        unknowns: unknowns.groups.len(),
-    };
     let failed = || {
         JointFactorsError::Linalg(LinalgError::NoConvergence {
             what: "modes of a stack",
@@ -124,6 +122,7 @@ pub fn joint_factors(
     for (mode, of) in modes.iter_mut().zip(&paired) {
         (mode.number, mode.paired_by) = (of.number + 1, of.by);
         (mode.is_sd_assumed, mode.drawn_hz) = (of.is_sd_assumed, of.drawn_hz);
+        mode.assurance = mode.assurance.or(of.assurance);
     }
     let springs = match best {
         Some(best) => best.best.iter().map(|x| x.exp()).collect(),
@@ -145,6 +144,74 @@ pub fn joint_factors(
         explains: found.as_ref().map(|found| found.explains),
         common,
     })
+}
+
+/// The families of modes with the measured data, the basis of each pairing, and the modes without a pair.
+struct PairedModel {
+    model: FactorModel,
+    paired: Vec<Paired>,
+    unused: Vec<UnusedMode>,
+}
+
+/// Pairs the measured modes at the springs as drawn. If shapes leave doubt there, because modes change shape and order as springs change, the modes
+/// without doubt give springs first, and all are paired again at these.
+fn paired_model(
+    (stack, measured): (&Stack, &[MeasuredStackMode]),
+    unknowns: &Unknowns,
+    families: Vec<Family>,
+    options: &JointFactorsOptions,
+) -> Result<PairedModel, LinalgError> {
+    let assumed = Assumed {
+        frequency_sd: options.frequency_sd_assumed,
+        shape_sd: options.shape_sd_assumed,
+    };
+    let count = unknowns.groups.len();
+    let drawn = vec![1.0; count];
+    let pair_at = |families: &[Family], factors: &[f64]| {
+        pair(stack, &unknowns.mass, families, (measured, &assumed), factors)
+    };
+    let model = |families, data| FactorModel {
+        families,
+        data,
+        unknowns: count,
+    };
+    let is_clear = |of: &Paired| of.assurance.is_none_or(|assurance| assurance >= NO_DOUBT_LEAST);
+    let first = pair_at(&families, &drawn)?;
+    if first.unused.is_empty() && first.paired.iter().all(is_clear) {
+        return Ok(PairedModel {
+            model: model(families, first.data),
+            paired: first.paired,
+            unused: first.unused,
+        });
+    }
+    let clear = first.data.into_iter().zip(&first.paired);
+    let clear: Vec<Datum> = clear
+        .filter_map(|(datum, of)| is_clear(of).then_some(datum))
+        .collect();
+    let clear = model(families, clear);
+    let springs = springs_of(&clear, options);
+    let families = clear.families;
+    let again = springs.map(|springs| pair_at(&families, &springs)).transpose()?;
+    let found = match again.filter(|again| again.paired.iter().all(is_clear)) {
+        Some(again) if again.paired.len() > clear.data.len() => again,
+        _ => pair_at(&families, &drawn)?,
+    };
+    Ok(PairedModel {
+        model: model(families, found.data),
+        paired: found.paired,
+        unused: found.unused,
+    })
+}
+
+/// The factors of all springs, if the modes determine each of them; `None` otherwise.
+fn springs_of(model: &FactorModel, options: &JointFactorsOptions) -> Option<Vec<f64>> {
+    if model.data.is_empty() || model.data_count() < model.unknowns || model.unknowns > options.ranges_most {
+        return None;
+    }
+    let common = model.common()?;
+    let found = ranges(model, common.factor.ln(), options.band.ln())?;
+    let is_known = found.explains && found.determined.iter().all(Option::is_some);
+    is_known.then(|| found.best.iter().map(|x| x.exp()).collect())
 }
 
 fn check_options(options: &JointFactorsOptions) -> Result<(), JointFactorsError> {

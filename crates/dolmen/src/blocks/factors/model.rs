@@ -139,6 +139,9 @@ impl FactorModel {
     }
 }
 
+/// Relative difference below which two modes have one frequency: they turn into each other without force.
+const ONE_VALUE: f64 = 1e-9;
+
 /// Derivative of the displacements at the points of a shape with respect to forces on the stones, Σ_p (rows φ_p) φ_pᵀ / (λ_q − λ_p) over all other
 /// modes, [points × d].
 fn response(shape: &ShapeData, modes: &SymmetricEigen, order: usize) -> Matrix {
@@ -146,7 +149,7 @@ fn response(shape: &ShapeData, modes: &SymmetricEigen, order: usize) -> Matrix {
     let size = modes.values.len();
     let weighted = Matrix::from_fn(at_points.rows(), size, |i, p| {
         let apart = modes.values[order] - modes.values[p];
-        match p == order || apart == 0.0 {
+        match p == order || apart.abs() <= ONE_VALUE * modes.values[order].abs() {
             true => 0.0,
             false => at_points[(i, p)] / apart,
         }

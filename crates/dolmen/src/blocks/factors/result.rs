@@ -29,7 +29,7 @@ pub enum PairedBy {
 pub struct PairedMode {
     /// Its motion.
     pub motion: StackMotion,
-    /// Its number among the computed modes of this motion, 1 the lowest.
+    /// Its number among the computed modes of this motion, 1 the lowest, at the springs at which it was paired.
     pub number: usize,
     /// How it was paired.
     pub paired_by: PairedBy,

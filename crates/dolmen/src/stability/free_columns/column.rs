@@ -121,6 +121,17 @@ impl FreeColumns {
         }
     }
 
+    /// Lift-off of the edges of foot and head; `None` for a rigid bed, where they lift at once.
+    pub fn uplift(&self) -> Option<ColumnPoint> {
+        let bed = self.bed_stiffness_n_m3?;
+        Some(self.at(self.section.uplift_rotation_rad(bed, self.normal_n())))
+    }
+
+    /// atan(b/h), at which columns on rigid beds fall.
+    pub(super) fn rigid_fall_rad(&self) -> f64 {
+        (self.section.width_m() / self.height_m).atan()
+    }
+
     /// The rotation at which the heads have this drift, rad.
     ///
     /// # Errors
@@ -178,7 +189,7 @@ impl FreeColumns {
     /// # Errors
     /// [`StabilityError::Numeric`] if a root is not found; no such case is known.
     pub fn standing(&self) -> Result<Option<ColumnStanding>, StabilityError> {
-        let rigid_rad = (self.section.width_m() / self.height_m).atan();
+        let rigid_rad = self.rigid_fall_rad();
         let Some(bed) = self.bed_stiffness_n_m3 else {
             return Ok(Some(ColumnStanding {
                 uplift: self.at(0.0),
