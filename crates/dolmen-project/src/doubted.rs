@@ -18,8 +18,8 @@ messages! {
             ko: "{file}: {heads} 열의 수는 모델에 쓰이지 않는다. 필요한 값이면 프로젝트 파일에 적고, 아니면 열을 삭제한다",
         },
         MeshLarge { path: String, name: String, extent: Quantity, height: Quantity, others: String } => {
-            en: "{path}: '{name}' is {extent} across, in a stack {height} high; stones are seldom above 8 m, and stacks of scanned stones above 25 m. Is the mesh in another unit? Stone and stack would be {others}. Write unit = \"mm\" or \"cm\" beside file; scale a mesh in inches by 25.4 to mm",
-            ko: "{path}: '{name}'의 크기가 {extent}, 전체 높이가 {height}이다. 석재가 8 m를, 스캔한 석조물이 25 m를 넘는 일은 드물다. 메시가 다른 단위가 아닌가? 그 단위로 본 석재와 전체의 크기: {others}. file 옆에 unit = \"mm\" 또는 \"cm\"를 쓴다. 인치 메시는 25.4배 하여 mm로 한다",
+            en: "{path}: '{name}' is {extent} across, in a stack {height} high; stones are seldom above 8 m, and stacks of scanned stones above 25 m. Is the mesh in another unit? Stone and stack would be {others}. «Write unit = \"mm\" or \"cm\" beside file; scale|Scale» a mesh in inches by 25.4 to mm",
+            ko: "{path}: '{name}'의 크기가 {extent}, 전체 높이가 {height}이다. 석재가 8 m를, 스캔한 석조물이 25 m를 넘는 일은 드물다. 메시가 다른 단위가 아닌가? 그 단위로 본 석재와 전체의 크기: {others}. «file 옆에 unit = \"mm\" 또는 \"cm\"를 쓴다. »인치 메시는 25.4배 하여 mm로 한다",
         },
         FloorOrder(ratio: Quantity) => {
             en: "floors: no storey is softer than the one below, and the top one is {ratio} times as stiff as the lowest: is the list top first? Floors are listed lowest first",
@@ -58,8 +58,8 @@ messages! {
             ko: "joints: 가장 약한 접합부도 상부 무게 × 높이의 {share}배로 석재 접합부보다 강하다. 단위가 N·m/rad, kN·m/rad, N·mm/rad 중 어느 것인가?",
         },
         AxialFactor(ratio: Quantity) => {
-            en: "axial_force: in every storey it is {ratio} times the weight of the masses: is one of them in tf or kgf (1 tf is 9.81 kN), or a mass given as a weight?",
-            ko: "axial_force: 모든 층에서 질량에 따른 무게의 {ratio}배이다. 어느 한쪽이 tf나 kgf(1 tf = 9.81 kN)이거나 무게를 질량으로 적은 것이 아닌가?",
+            en: "«axial_force|axial force»: in every storey it is {ratio} times the weight of the masses: is one of them in tf or kgf (1 tf is 9.81 kN), or a mass given as a weight?",
+            ko: "«axial_force|축력»: 모든 층에서 질량에 따른 무게의 {ratio}배이다. 어느 한쪽이 tf나 kgf(1 tf = 9.81 kN)이거나 무게를 질량으로 적은 것이 아닌가?",
         },
         FrictionWithoutWeight { path: String, coefficient: String } => {
             en: "{path} is 0, and so is the friction that {coefficient} takes from it: to leave P-delta out and keep the friction, give friction.force",
@@ -84,6 +84,22 @@ messages! {
         SoftBed { path: String, sinks: Quantity } => {
             en: "{path}: under its own weight the lowest joint would give way by {sinks}: is it in MPa/m or GPa/m?",
             ko: "{path}: 자중만으로 최하부 접합면이 {sinks} 눌린다. MPa/m 또는 GPa/m 값이 아닌가?",
+        },
+        LoadSmall { path: String, force: Quantity, stone: String, ratio: Quantity } => {
+            en: "{path}: a force of {force}, {ratio} times the weight of '{stone}': is it in kN«, as in force = [0, 0, \"-12 kN\"]»?",
+            ko: "{path}: 힘이 {force}(으)로 ‘{stone}’ 무게의 {ratio}배이다. «force = [0, 0, \"-12 kN\"]처럼 »kN 값이 아닌가?",
+        },
+        LoadLarge { path: String, force: Quantity, stone: String, ratio: Quantity } => {
+            en: "{path}: a force of {force}, {ratio} times the weight of '{stone}': is it in N? That stones crack or bend is not computed",
+            ko: "{path}: 힘이 {force}(으)로 ‘{stone}’ 무게의 {ratio}배이다. N 값이 아닌가? 석재의 균열과 휨은 계산하지 않는다",
+        },
+        LoadUpwards { path: String, force: Quantity, stone: String } => {
+            en: "{path} pulls '{stone}' upwards with {force}: z points up, so a weight has a negative third component",
+            ko: "{path}이(가) ‘{stone}’을(를) {force}(으)로 위로 당긴다. z는 위쪽이므로 누르는 힘의 셋째 성분은 음수이다",
+        },
+        LoadOff { path: String, stone: String, away: Quantity } => {
+            en: "{path} acts {away} off '{stone}': are the coordinates of its position in another order, or in another unit?",
+            ko: "{path}의 작용점이 ‘{stone}’에서 {away} 떨어져 있다. 좌표의 순서나 단위가 다르지 않은가?",
         },
         Frequency { path: String, measured: Quantity, model: Quantity, likely: Sentence } => {
             en: "{path}: {measured} was measured and the model has {model}. {likely}",

@@ -12,6 +12,14 @@ pub(crate) fn metres(value: f64) -> Quantity {
     Quantity::new(value, Unit::si("m"), DIGITS)
 }
 
+pub(crate) fn kilonewtons(newtons: f64) -> Quantity {
+    let unit = Unit {
+        symbol: "kN".to_owned(),
+        factor: 1e-3,
+    };
+    Quantity::new(newtons, unit, DIGITS)
+}
+
 pub(crate) fn hertz(value: f64) -> Quantity {
     Quantity::new(value, Unit::si("Hz"), DIGITS)
 }

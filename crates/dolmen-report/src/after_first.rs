@@ -184,12 +184,7 @@ fn table(answer: &SimulateAnswer, after: &AfterFirst) -> Table {
 
 fn named(name: &str) -> Sentence {
     let runs = vec![Run::Name(name.to_owned())];
-    Sentence {
-        id: "simulated.after.name".to_owned(),
-        arguments: Vec::new(),
-        english: runs.clone(),
-        korean: runs,
-    }
+    Sentence::of_runs("simulated.after.name", runs.clone(), runs)
 }
 
 fn direction(simulation: &Simulation) -> Option<String> {

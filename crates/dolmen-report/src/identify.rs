@@ -13,8 +13,8 @@ messages! {
     /// Text on a terminal if there is nothing to identify.
     pub(crate) enum Nothing in "identify" {
         NoSurvey => {
-            en: "The file has no [survey.NAME] with frequencies or records, so there is nothing to identify.",
-            ko: "파일에 진동수나 기록이 있는 [survey.NAME]이 없으므로 추정할 것이 없다.",
+            en: "The file has no «[survey.NAME]|survey» with frequencies or records, so there is nothing to identify.",
+            ko: "파일에 진동수나 기록이 있는 «[survey.NAME]이|조사가» 없으므로 추정할 것이 없다.",
         },
         FromSurveys { surveys: Vec<String> } => {
             en: "No records to analyse and no stiffness to seek: survey {surveys}.",

@@ -1,6 +1,5 @@
 //! Answers as text, JSON, figures and pages, in English and Korean. Opens no file.
 
-mod acts;
 mod after_first;
 mod behind;
 mod brief;
@@ -44,6 +43,7 @@ mod mark;
 mod modal;
 mod mode_film;
 mod motion;
+mod on_paper;
 mod other_inputs;
 mod paper;
 mod processing;

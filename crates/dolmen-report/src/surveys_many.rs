@@ -22,8 +22,8 @@ messages! {
             ko: "공통 배율은 적층 모델의 고유진동수가 이 값이 되도록 모든 접합부 강성에 곱하는 수이다.",
         },
         Detailed(surveys: Vec<String>) => {
-            en: "What follows details {surveys}: the latest survey, those on which the model rests, and those with findings of their own. `dolmen identify --full` details all.",
-            ko: "아래에는 최근 조사, 모델의 근거가 된 조사, 따로 지적할 것이 있는 조사만 자세히 적었다: {surveys}. 전체는 `dolmen identify --full`로 본다.",
+            en: "What follows details {surveys}: the latest survey, those on which the model rests, and those with findings of their own.« `dolmen identify --full` details all.»",
+            ko: "아래에는 최근 조사, 모델의 근거가 된 조사, 따로 지적할 것이 있는 조사만 자세히 적었다: {surveys}.« 전체는 `dolmen identify --full`로 본다.»",
         },
         Survey => { en: "Survey", ko: "조사" },
         Temperature => { en: "air", ko: "기온" },

@@ -1,9 +1,9 @@
 //! The whole answer on one project: its findings, and its sections as one document.
 
-use crate::acts::{document_on_paper, on_paper};
 use crate::document::{Block, Document, Finding, Tone};
 use crate::engineer::{self, Pictures};
 use crate::html::method::method;
+use crate::on_paper::{document_on_paper, findings_on_paper};
 use crate::{
     building, building_simulation, chain, change, check, demand, frame, frame_simulation, identification,
     loads, modal, stack, stack_simulation, study, surveys_many, tune, watch,
@@ -54,7 +54,7 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
         answer.surveys(),
     ));
     all.sort_by_key(|finding| finding.tone != Tone::Bad);
-    on_paper(&mut all);
+    findings_on_paper(&mut all);
     let mut said = BTreeSet::new();
     all.retain(|finding| said.insert(finding.sentence.text(Language::English)));
     all

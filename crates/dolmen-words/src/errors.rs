@@ -1,19 +1,7 @@
 //! Sentences of errors: each variant of an enum in both languages, beside the enum.
 
 use crate::Language;
-use crate::message::{Argument, Run, Sentence};
-
-impl Sentence {
-    /// The text of an error that another error wraps.
-    pub fn of_argument(argument: &(impl Argument + ?Sized)) -> Self {
-        Sentence {
-            id: "handed-on".to_owned(),
-            arguments: Vec::new(),
-            english: argument.said(Language::English),
-            korean: argument.said(Language::Korean),
-        }
-    }
-}
+use crate::message::{Argument, Run};
 
 /// The text of an error in a language.
 pub fn text_of(error: &dyn Argument, language: Language) -> String {
@@ -101,6 +89,10 @@ macro_rules! sentences {
             fn said(&self, language: $crate::Language) -> Vec<$crate::message::Run> {
                 self.sentence().runs(language).to_vec()
             }
+
+            fn said_on_paper(&self, language: $crate::Language) -> Option<Vec<$crate::message::Run>> {
+                $crate::message::Argument::said_on_paper(&self.sentence(), language)
+            }
         }
 
         impl std::error::Error for $error {
@@ -166,6 +158,10 @@ macro_rules! argument_names {
             assert!(
                 $crate::message::knows($english, NAMES) && $crate::message::knows($korean, NAMES),
                 concat!(stringify!($variant), " has a place for an argument that it does not have")
+            );
+            assert!(
+                $crate::message::marks_well($english) && $crate::message::marks_well($korean),
+                concat!(stringify!($variant), " has a mark « without its », or more than one bar between them")
             );
         };
     };

@@ -13,6 +13,7 @@ mod quantity;
 mod run;
 pub mod science;
 mod system;
+mod template;
 
 pub use file_name::{composed, file_name, folded_file_name};
 pub use language::Language;

@@ -6,11 +6,17 @@ use crate::Language;
 use crate::printed_names::printed_name;
 use crate::quantity::{Quantity, Values};
 pub use crate::run::{Run, Slot, Slots};
+pub use crate::template::{Medium, Template, holds, knows, marks_well, message_id};
 
 /// A type that can be an argument of a sentence.
 pub trait Argument {
     /// Its text in a language.
     fn said(&self, language: Language) -> Vec<Run>;
+
+    /// Its text on paper, if it differs.
+    fn said_on_paper(&self, _language: Language) -> Option<Vec<Run>> {
+        None
+    }
 }
 
 impl Argument for Quantity {
@@ -109,11 +115,19 @@ impl<T: Argument + ?Sized> Argument for &T {
     fn said(&self, language: Language) -> Vec<Run> {
         (**self).said(language)
     }
+
+    fn said_on_paper(&self, language: Language) -> Option<Vec<Run>> {
+        (**self).said_on_paper(language)
+    }
 }
 
 impl<T: Argument + ?Sized> Argument for Box<T> {
     fn said(&self, language: Language) -> Vec<Run> {
         (**self).said(language)
+    }
+
+    fn said_on_paper(&self, language: Language) -> Option<Vec<Run>> {
+        (**self).said_on_paper(language)
     }
 }
 
@@ -122,23 +136,42 @@ impl Argument for Sentence {
     fn said(&self, language: Language) -> Vec<Run> {
         self.runs(language).to_vec()
     }
+
+    fn said_on_paper(&self, language: Language) -> Option<Vec<Run>> {
+        let paper = self.paper.as_ref()?;
+        Some(language.pick(&paper.english, &paper.korean).clone())
+    }
 }
 
 /// A list: "1.2, 3.4 and 5.6", "1.2, 3.4, 5.6".
 impl<T: Argument> Argument for Vec<T> {
     fn said(&self, language: Language) -> Vec<Run> {
-        let mut runs = Vec::new();
-        for (at, one) in self.iter().enumerate() {
-            let last = at + 1 == self.len();
-            match (at, language) {
-                (0, _) => {}
-                (_, Language::English) if last => runs.push(Run::Text(" and ".to_owned())),
-                _ => runs.push(Run::Text(", ".to_owned())),
-            }
-            runs.extend(one.said(language));
-        }
-        runs
+        listed(self.iter().map(|one| one.said(language)).collect(), language)
     }
+
+    fn said_on_paper(&self, language: Language) -> Option<Vec<Run>> {
+        let each: Vec<_> = self.iter().map(|one| one.said_on_paper(language)).collect();
+        each.iter().any(Option::is_some).then(|| {
+            let each = self.iter().zip(each);
+            let each = each.map(|(one, paper)| paper.unwrap_or_else(|| one.said(language)));
+            listed(each.collect(), language)
+        })
+    }
+}
+
+/// Texts with commas between them, and "and" before the last in English.
+fn listed(each: Vec<Vec<Run>>, language: Language) -> Vec<Run> {
+    let mut runs = Vec::new();
+    let count = each.len();
+    for (at, one) in each.into_iter().enumerate() {
+        match (at, language) {
+            (0, _) => {}
+            (_, Language::English) if at + 1 == count => runs.push(Run::Text(" and ".to_owned())),
+            _ => runs.push(Run::Text(", ".to_owned())),
+        }
+        runs.extend(one);
+    }
+    runs
 }
 
 /// Values with a common unit, which follows the last.
@@ -154,26 +187,6 @@ impl Argument for Values {
     }
 }
 
-/// A sentence before its arguments are filled in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Template {
-    /// The group of its message, such as "chain.stability".
-    pub group: &'static str,
-    /// The name of its message, such as "Contradicted".
-    pub message: &'static str,
-    /// English, its arguments in braces.
-    pub english: &'static str,
-    /// 한국어.
-    pub korean: &'static str,
-}
-
-impl Template {
-    /// "chain.stability/contradicted", as in [`Sentence::id`].
-    pub fn id(&self) -> String {
-        message_id(self.group, self.message)
-    }
-}
-
 /// A sentence in both languages, with its message and arguments.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sentence {
@@ -185,20 +198,62 @@ pub struct Sentence {
     pub english: Vec<Run>,
     /// 한국어.
     pub korean: Vec<Run>,
+    /// What it says on paper, if that differs.
+    paper: Option<Box<OnPaper>>,
+}
+
+/// What a sentence says to a reader who can type nothing.
+#[derive(Clone, Debug, PartialEq)]
+struct OnPaper {
+    english: Vec<Run>,
+    korean: Vec<Run>,
 }
 
 impl Sentence {
+    /// A sentence without a template: a name or a symbol from elsewhere.
+    pub fn of_runs(id: &str, english: Vec<Run>, korean: Vec<Run>) -> Self {
+        Sentence {
+            id: id.to_owned(),
+            arguments: Vec::new(),
+            english,
+            korean,
+            paper: None,
+        }
+    }
+
     /// Its pieces in a language.
     pub fn runs(&self, language: Language) -> &[Run] {
         language.pick(&self.english, &self.korean)
     }
 
+    /// The same for paper: without commands and keys of the file, in the words that its template gives for paper.
+    pub fn on_paper(&self) -> Self {
+        match &self.paper {
+            None => self.clone(),
+            Some(paper) => Sentence {
+                id: self.id.clone(),
+                arguments: self.arguments.clone(),
+                english: paper.english.clone(),
+                korean: paper.korean.clone(),
+                paper: None,
+            },
+        }
+    }
+
     /// A message with its arguments.
     pub fn of_template(template: &Template, arguments: Vec<Given>) -> Self {
+        let said = |medium, language| filled(&template.on(language, medium), medium, language, &arguments);
+        let differs = template.has_marks() || arguments.iter().any(|given| given.paper.is_some());
         Sentence {
             id: template.id(),
-            english: filled(template.english, Language::English, &arguments),
-            korean: filled(template.korean, Language::Korean, &arguments),
+            english: said(Medium::Screen, Language::English),
+            korean: said(Medium::Screen, Language::Korean),
+            paper: differs.then(|| {
+                Box::new(OnPaper {
+                    english: said(Medium::Paper, Language::English),
+                    korean: said(Medium::Paper, Language::Korean),
+                })
+            }),
             arguments: arguments
                 .into_iter()
                 .map(|given| (given.name, given.english))
@@ -206,15 +261,21 @@ impl Sentence {
         }
     }
 
+    /// The text of an error that another error wraps.
+    pub fn of_argument(argument: &(impl Argument + ?Sized)) -> Self {
+        let of = |language| argument.said(language);
+        let on_paper = |language| argument.said_on_paper(language);
+        let on_paper = on_paper(Language::English).zip(on_paper(Language::Korean));
+        Sentence {
+            paper: on_paper.map(|(english, korean)| Box::new(OnPaper { english, korean })),
+            ..Sentence::of_runs("handed-on", of(Language::English), of(Language::Korean))
+        }
+    }
+
     /// A symbol, the same in both languages: "kN·m/rad".
     pub fn of_symbol(symbol: &str) -> Self {
         let runs = vec![Run::Text(symbol.to_owned())];
-        Sentence {
-            id: "symbol".to_owned(),
-            arguments: Vec::new(),
-            english: runs.clone(),
-            korean: runs,
-        }
+        Sentence::of_runs("symbol", runs.clone(), runs)
     }
 
     /// As plain text.
@@ -229,31 +290,35 @@ pub struct Given {
     name: &'static str,
     english: Vec<Run>,
     korean: Vec<Run>,
+    paper: Option<Box<OnPaper>>,
 }
 
 impl Given {
     /// An argument with its name.
     pub fn of(name: &'static str, argument: &impl Argument) -> Self {
+        let said = Sentence::of_argument(argument);
         Given {
             name,
-            english: argument.said(Language::English),
-            korean: argument.said(Language::Korean),
+            english: said.english,
+            korean: said.korean,
+            paper: said.paper,
+        }
+    }
+
+    fn runs(&self, medium: Medium, language: Language) -> &[Run] {
+        match (medium, &self.paper) {
+            (Medium::Paper, Some(paper)) => language.pick(&paper.english, &paper.korean),
+            _ => language.pick(&self.english, &self.korean),
         }
     }
 }
 
 /// Fills in a template: `{name}` becomes the argument of that name, doubled braces become braces.
-fn filled(template: &str, language: Language, arguments: &[Given]) -> Vec<Run> {
+fn filled(template: &str, medium: Medium, language: Language, arguments: &[Given]) -> Vec<Run> {
     let mut slots = Slots::default();
     let places: Vec<(&str, Slot)> = arguments
         .iter()
-        .map(|given| {
-            let runs = match language {
-                Language::English => given.english.clone(),
-                Language::Korean => given.korean.clone(),
-            };
-            (given.name, slots.put(runs))
-        })
+        .map(|given| (given.name, slots.put(given.runs(medium, language).to_vec())))
         .collect();
     let mut formatted = String::with_capacity(template.len());
     let mut rest = template;
@@ -278,75 +343,9 @@ fn filled(template: &str, language: Language, arguments: &[Given]) -> Vec<Run> {
     slots.fill(&formatted, language)
 }
 
-/// `chain.stability` and `ModelContradicted` make `chain.stability/model-contradicted`.
-pub fn message_id(group: &str, variant: &str) -> String {
-    let words = variant.char_indices().map(|(at, sign)| match sign {
-        upper if upper.is_uppercase() && at > 0 => format!("-{}", upper.to_lowercase()),
-        other => other.to_lowercase().to_string(),
-    });
-    format!("{group}/{}", words.collect::<String>())
-}
-
-/// Whether a sentence has a placeholder `{argument}`; runs at compile time.
-pub const fn holds(sentence: &str, argument: &str) -> bool {
-    let (sentence, argument) = (sentence.as_bytes(), argument.as_bytes());
-    let mut at = 0;
-    while at + argument.len() + 1 < sentence.len() {
-        let mut same = 0;
-        while same < argument.len() && sentence[at + 1 + same] == argument[same] {
-            same += 1;
-        }
-        if sentence[at] == b'{' && same == argument.len() && sentence[at + 1 + same] == b'}' {
-            return true;
-        }
-        at += 1;
-    }
-    false
-}
-
-/// Whether every placeholder of a sentence is a known argument; runs at compile time.
-pub const fn knows(sentence: &str, names: &[&str]) -> bool {
-    let sentence = sentence.as_bytes();
-    let mut at = 0;
-    while at < sentence.len() {
-        let is_brace = sentence[at] == b'{' || sentence[at] == b'}';
-        if is_brace && at + 1 < sentence.len() && sentence[at + 1] == sentence[at] {
-            at += 2;
-        } else if is_brace {
-            let mut end = at + 1;
-            while end < sentence.len() && sentence[end] != b'}' {
-                end += 1;
-            }
-            if sentence[at] == b'}' || end == sentence.len() || !is_one_of(sentence, at + 1, end, names) {
-                return false;
-            }
-            at = end + 1;
-        } else {
-            at += 1;
-        }
-    }
-    true
-}
-
-/// Whether the bytes from `start` to `end` are one of the names.
-const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) -> bool {
-    let mut number = 0;
-    while number < names.len() {
-        let name = names[number].as_bytes();
-        let mut same = 0;
-        while same < name.len() && start + same < end && sentence[start + same] == name[same] {
-            same += 1;
-        }
-        if same == name.len() && start + same == end {
-            return true;
-        }
-        number += 1;
-    }
-    false
-}
-
 /// Defines an enum of messages; `Sentence::from(message)` gives the sentence in both languages. A message with one argument may take it in
-/// parentheses. At most 60 variants per enum, because compile time grows faster than their number.
+/// parentheses. What stands between `«` and `»` is said on a screen only, such as a key to write into the file; behind a bar,
+/// `«on a screen|on paper»`, are the words for paper ([`Sentence::on_paper`]). At most 60 variants per enum, because compile time grows faster than their number.
 ///
 /// ```
 /// use dolmen_words::{Language, Quantity, Sentence, messages};
@@ -358,6 +357,10 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
 ///             ko: "{link}이(가) 자중의 {factor}배에서 전도된다.",
 ///         },
 ///         Leans(link: String) => { en: "{link} leans.", ko: "{link}이(가) 기울었다." },
+///         NoBed => {
+///             en: "No «bed_width|width of the bed» is given«; write it into the link».",
+///             ko: "«bed_width가|접합면 폭이» 없다.« 부재에 쓴다.»",
+///         },
 ///     }
 /// }
 /// let said = Sentence::from(Pole::Falls { link: "노반".into(), factor: Quantity::beside_one(1.2, 3) });
@@ -365,6 +368,9 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
 /// assert_eq!(said.id, "pole/falls");
 /// let said = Sentence::from(Pole::Leans("노반".into()));
 /// assert_eq!(said.text(Language::Korean), "노반이 기울었다.");
+/// let said = Sentence::from(Pole::NoBed);
+/// assert_eq!(said.text(Language::English), "No bed_width is given; write it into the link.");
+/// assert_eq!(said.on_paper().text(Language::English), "No width of the bed is given.");
 /// ```
 ///
 /// An argument that one language leaves out does not compile:
@@ -481,13 +487,52 @@ mod tests {
             (template.id().as_str(), template.english),
             ("test/many", "All: {all}.")
         );
-        assert!(knows("{a} {{b}} {c}", &["a", "c"]) && knows("한 {a}", &["a"]) && !knows("{ab}", &["a"]));
-        assert!(!knows("{a", &["a"]) && !knows("a}", &["a"]) && !knows("{a}", &["ab"]));
-        assert!(holds("{a} b", "a") && holds("b {ab}", "ab") && !holds("{ab} a", "a") && !holds("{a", "a"));
-        assert_eq!(
-            message_id("chain", "ModelContradicted"),
-            "chain/model-contradicted"
-        );
         assert_eq!(Sentence::from(Said::Plain).id, "test/plain");
+    }
+
+    messages! {
+        /// Sentences with words for paper.
+        enum Marked in "test.marked" {
+            Next { what: Sentence, all: Vec<Sentence> } => {
+                en: "Next: {what}« (`dolmen check`)». All: {all}.",
+                ko: "다음: {what}«(`dolmen check`)». 모두 {all}을(를) 본다.",
+            },
+            Give => { en: "give «bed_width|the width of the bed»", ko: "«bed_width|접합면 폭»" },
+            Plain => { en: "look", ko: "살핀다" },
+        }
+    }
+
+    #[test]
+    fn exact_words_for_paper_pass_through_sentences_and_lists() {
+        let said = Sentence::from(Marked::Next {
+            what: Marked::Give.into(),
+            all: vec![Marked::Plain.into(), Marked::Give.into()],
+        });
+        assert_eq!(
+            said.text(Language::English),
+            "Next: give bed_width (`dolmen check`). All: look and give bed_width."
+        );
+        let paper = said.on_paper();
+        assert_eq!(
+            paper.text(Language::English),
+            "Next: give the width of the bed. All: look and give the width of the bed."
+        );
+        // each reading has its own particle
+        assert_eq!(
+            said.text(Language::Korean),
+            "다음: bed_width(`dolmen check`). 모두 살핀다, bed_width를 본다."
+        );
+        assert_eq!(
+            paper.text(Language::Korean),
+            "다음: 접합면 폭. 모두 살핀다, 접합면 폭을 본다."
+        );
+        assert_eq!(paper.on_paper(), paper);
+        let plain = Sentence::from(Marked::Plain);
+        assert_eq!(plain.on_paper(), plain);
+        let template = Marked::TEMPLATES[1];
+        assert_eq!(
+            template.on(Language::English, Medium::Paper),
+            "give the width of the bed"
+        );
     }
 }

@@ -274,7 +274,7 @@ fn holds_a_load_without_mass_holds_no_stone_in_an_earthquake() {
     let snow = pillar("loads = [{ name = \"snow\", at = \"pillar\", height = 2.9, force = [0, 0, -50] }]\n");
     let (status, words) = said("pillar-snow", &snow, "check project.toml");
     assert!(status == 1 && words.contains("below demand"), "{words}");
-    assert!(words.contains("without them at 0.160 g"), "{words}");
+    assert!(words.contains("without those that hold it at 0.160 g"), "{words}");
 }
 
 #[test]

@@ -60,6 +60,7 @@ mod leaning_frames;
 mod limits;
 mod links;
 mod listed_surveys;
+mod loads_on_stones;
 mod logs;
 mod long_functions;
 mod looked_safe;

@@ -5,7 +5,7 @@ use crate::doubted::Doubted;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::rounded_length;
-use crate::usual_numbers::{metres, ratio};
+use crate::usual_numbers::{kilonewtons, metres, ratio};
 use dolmen::structure::stack::Body;
 
 /// Stones whose order is judged.
@@ -24,6 +24,13 @@ const MESHES_HIGH_M: f64 = 25.0;
 /// Units of a mesh, with their length in m.
 const MESH_UNITS: [(&str, f64); 4] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("in", 0.0254)];
 
+/// Usual size of a load, in weights of its stone. Our choice: a roof on a post has some tens.
+const LOAD_WEIGHTS: (f64, f64) = (2e-3, 200.0);
+/// Share of a load that acts upwards from which it is doubted.
+const UPWARDS: f64 = 0.5;
+/// Distance of a load from its stone, in lengths of the stone, from which it is doubted. Our choice: a bracket reaches less far.
+const LOAD_OFF: f64 = 0.5;
+
 pub(crate) fn doubt_stack(reader: &mut Reader, part: &StackPart) {
     order(reader, part);
     let joints = part.blocks.iter().map(|block| &block.joint);
@@ -35,6 +42,7 @@ pub(crate) fn doubt_stack(reader: &mut Reader, part: &StackPart) {
     }
     sinks(reader, part);
     large_meshes(reader, part);
+    loads(reader, part);
     for rotation in part.blocks.iter().filter_map(|block| block.rotation.as_ref()) {
         if rotation.value.abs() > TURNED_MOST_RAD {
             let path = &rotation.path;
@@ -151,6 +159,64 @@ fn large_meshes(reader: &mut Reader, part: &StackPart) {
         others: others.join("; "),
     };
     reader.doubt(&path, doubted);
+}
+
+fn length(of: [f64; 3]) -> f64 {
+    of.iter().map(|part| part * part).sum::<f64>().sqrt()
+}
+
+/// Static loads of another order than the stone on which they act, upwards, or off it.
+fn loads(reader: &mut Reader, part: &StackPart) {
+    if part.static_loads.is_empty() {
+        return;
+    }
+    let Ok(stack) = part.build(&mut Quantity::nominal) else {
+        return;
+    };
+    for (i, load) in stack.static_loads().iter().enumerate() {
+        let path = format!("loads[{}]", i + 1);
+        let block = &stack.blocks()[load.block];
+        let stone = block.name.clone();
+        let size_n = length(load.force_n);
+        let weights = size_n / (block.mass_kg() * stack.gravity_m_s2());
+        let force = kilonewtons(size_n);
+        let ([low, high], at) = (block.solid.bounds_m(), load.position_m);
+        let away = |axis: usize| (low[axis] - at[axis]).max(at[axis] - high[axis]).max(0.0);
+        let away_m = length([away(0), away(1), away(2)]);
+        let longest_m = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+        let sized = |weights: f64| (path.clone(), force.clone(), stone.clone(), ratio(weights));
+        let mut doubted = Vec::new();
+        if size_n > 0.0 && weights < LOAD_WEIGHTS.0 {
+            let (path, force, stone, ratio) = sized(weights);
+            doubted.push(Doubted::LoadSmall {
+                path,
+                force,
+                stone,
+                ratio,
+            });
+        }
+        if weights > LOAD_WEIGHTS.1 {
+            let (path, force, stone, ratio) = sized(weights);
+            doubted.push(Doubted::LoadLarge {
+                path,
+                force,
+                stone,
+                ratio,
+            });
+        }
+        if load.force_n[2] > UPWARDS * size_n {
+            let (path, force, stone, _) = sized(weights);
+            doubted.push(Doubted::LoadUpwards { path, force, stone });
+        }
+        if away_m > LOAD_OFF * longest_m {
+            let (path, _, stone, _) = sized(weights);
+            let away = metres(away_m);
+            doubted.push(Doubted::LoadOff { path, stone, away });
+        }
+        for doubted in doubted {
+            reader.doubt(&path, doubted);
+        }
+    }
 }
 
 /// ρ g H over the stiffness per area: the settlement of the lowest joint under a column of all stones.

@@ -20,8 +20,8 @@ messages! {
         Either { first: String, second: Both } => { en: "{first} or {second}", ko: "{first} 또는 {second}" },
         NoChannel(name: String) => { en: "there is no channel \"{name}\": ", ko: "채널 \"{name}\"이(가) 없다. " },
         GiveScale(scale: f64) => {
-            en: "give its channel scale = {scale}",
-            ko: "그 채널에 scale = {scale}을(를) 입력한다",
+            en: "give its channel «scale = {scale}|the scale {scale}»",
+            ko: "그 채널에 «scale = {scale}을(를)|배율 {scale}을(를)» 입력한다",
         },
         LeaveOut => {
             en: "leave it out: it measures something else",

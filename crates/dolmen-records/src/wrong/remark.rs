@@ -40,8 +40,8 @@ messages! {
             ko: "열 이름 위의 {first}~{last}행은 읽지 않았다",
         },
         NoUnitGiven { column: String, unit: String } => {
-            en: "column \"{column}\" says {unit}, and no unit is given: numbers are kept as they are; unit = \"{unit}\" takes them as that",
-            ko: "\"{column}\" 열의 이름에는 단위가 {unit}인데 unit을 입력하지 않아 수를 그대로 두었다. unit = \"{unit}\"(으)로 하면 그 단위로 읽는다",
+            en: "column \"{column}\" says {unit}, and no unit is given: numbers are kept as they are«; unit = \"{unit}\" takes them as that»",
+            ko: "\"{column}\" 열의 이름에는 단위가 {unit}인데 unit을 입력하지 않아 수를 그대로 두었다«. unit = \"{unit}\"(으)로 하면 그 단위로 읽는다»",
         },
         UnreadStamps(column: String) => {
             en: "column \"{column}\" is not read as times: nothing in the file confirms the sampling rate given",
@@ -56,16 +56,16 @@ messages! {
             ko: "\"{column}\" 열의 시각은 간격으로 보아 마이크로초로 읽었다",
         },
         Seconds(column: String) => {
-            en: "the time stamps of column \"{column}\" are read as seconds: sampling_rate says so",
-            ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 초로 읽었다",
+            en: "the time stamps of column \"{column}\" are read as seconds: «sampling_rate|the sampling rate» says so",
+            ko: "\"{column}\" 열의 시각은 «sampling_rate에|샘플링 주파수에» 따라 초로 읽었다",
         },
         Minutes(column: String) => {
-            en: "the time stamps of column \"{column}\" are read as minutes: sampling_rate says so",
-            ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 분으로 읽었다",
+            en: "the time stamps of column \"{column}\" are read as minutes: «sampling_rate|the sampling rate» says so",
+            ko: "\"{column}\" 열의 시각은 «sampling_rate에|샘플링 주파수에» 따라 분으로 읽었다",
         },
         Hours(column: String) => {
-            en: "the time stamps of column \"{column}\" are read as hours: sampling_rate says so",
-            ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 시간(h)으로 읽었다",
+            en: "the time stamps of column \"{column}\" are read as hours: «sampling_rate|the sampling rate» says so",
+            ko: "\"{column}\" 열의 시각은 «sampling_rate에|샘플링 주파수에» 따라 시간(h)으로 읽었다",
         },
         VariablesUnread(names: Both) => { en: "variables not read: {names}", ko: "읽지 않은 변수: {names}" },
         DatasetsUnread(numbers: Both) => { en: "datasets not read: {numbers}", ko: "읽지 않은 데이터셋: {numbers}" },

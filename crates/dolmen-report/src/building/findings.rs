@@ -57,8 +57,8 @@ messages! {
             ko: "우발비틀림(각 층 질량중심을 바닥 변 길이의 {fraction}만큼 이동)을 고려하면 {floor} 바닥 아래에서 {ratio}이다.",
         },
         TorsionLeftOut { code: String } => {
-            en: "The accidental torsion that {code} requires, 5 % of the side of each floor, is left out: the file has accidental_eccentricity = 0.",
-            ko: "{code}이(가) 요구하는 우발비틀림(바닥 변 길이의 5 %)을 제외하였다. 파일에 accidental_eccentricity = 0으로 입력되어 있다.",
+            en: "The accidental torsion that {code} requires, 5 % of the side of each floor, is left out: the file «has accidental_eccentricity = 0|sets it to 0».",
+            ko: "{code}이(가) 요구하는 우발비틀림(바닥 변 길이의 5 %)을 제외하였다. 파일에 «accidental_eccentricity = 0으로|우발편심이 0으로» 입력되어 있다.",
         },
         TorsionNoOutline => {
             en: "Accidental torsion is not included: it depends on the sides of the floors, and a floor has neither sides nor outline. Give them; without them a sufficient capacity is not decided.",
@@ -82,12 +82,12 @@ messages! {
             ko: "부지 스펙트럼에서 감쇠기 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
         },
         RoomNotGiven { damper: Sentence, needed: Quantity } => {
-            en: "This holds only if damper {damper} has room to move {needed} each way, and none is given (`stroke`).",
-            ko: "이 결과는 감쇠기 {damper}이(가) 한쪽으로 {needed} 움직일 공간이 있을 때만 맞으며, 여유 공간(`stroke`)이 입력되지 않았다.",
+            en: "This holds only if damper {damper} has room to move {needed} each way, and none is given« (`stroke`)».",
+            ko: "이 결과는 감쇠기 {damper}이(가) 한쪽으로 {needed} 움직일 공간이 있을 때만 맞으며, 여유 공간«(`stroke`)»이 입력되지 않았다.",
         },
         RoomNotGivenDrift { damper: Sentence, needed: Quantity, ratio: Quantity } => {
-            en: "This holds only if damper {damper} has room to move {needed} each way, and none is given (`stroke`). Without the dampers the largest drift is {ratio}.",
-            ko: "이 결과는 감쇠기 {damper}이(가) 한쪽으로 {needed} 움직일 공간이 있을 때만 맞으며, 여유 공간(`stroke`)이 입력되지 않았다. 감쇠기가 없으면 최대 층간변위는 {ratio}이다.",
+            en: "This holds only if damper {damper} has room to move {needed} each way, and none is given« (`stroke`)». Without the dampers the largest drift is {ratio}.",
+            ko: "이 결과는 감쇠기 {damper}이(가) 한쪽으로 {needed} 움직일 공간이 있을 때만 맞으며, 여유 공간«(`stroke`)»이 입력되지 않았다. 감쇠기가 없으면 최대 층간변위는 {ratio}이다.",
         },
         NotComputed { why: String } => {
             en: "The response to the spectrum of the site is not computed: {why}",

@@ -68,8 +68,8 @@ messages! {
         DriftX => { en: "drift x / height", ko: "층간변위 x / 층고" },
         DriftY => { en: "drift y / height", ko: "층간변위 y / 층고" },
         TorsionNotAsked => {
-            en: "Accidental torsion is not included, because no code that requires it decides here. `accidental_eccentricity = 0.05` includes it.",
-            ko: "이를 요구하는 기준으로 판정하지 않으므로 우발비틀림을 고려하지 않았다. `accidental_eccentricity = 0.05`로 입력하면 고려한다.",
+            en: "Accidental torsion is not included, because no code that requires it decides here.« `accidental_eccentricity = 0.05` includes it.»",
+            ko: "이를 요구하는 기준으로 판정하지 않으므로 우발비틀림을 고려하지 않았다.« `accidental_eccentricity = 0.05`로 입력하면 고려한다.»",
         },
         StrokeWithTorsion => { en: "with accidental torsion", ko: "우발비틀림 고려" },
         Damper => { en: "Damper", ko: "감쇠기" },
@@ -80,12 +80,12 @@ messages! {
             ko: "감쇠기 {damper}의 여유 공간이 충분한지는 알 수 없다.",
         },
         Simulate => {
-            en: "`dolmen simulate` computes it under a motion.",
-            ko: "지반운동에 대한 응답은 `dolmen simulate`로 계산할 수 있다.",
+            en: "«`dolmen simulate`|A simulation in time» computes it under a motion.",
+            ko: "지반운동에 대한 응답은 «`dolmen simulate`|지진응답 검토»로 계산할 수 있다.",
         },
         GiveDamping => {
-            en: "Give the modes damping that the spectrum is for, or compute it under a motion with `dolmen simulate`.",
-            ko: "스펙트럼의 적용 범위에 드는 모드 감쇠비를 입력하거나, `dolmen simulate`로 지반운동에 대한 응답을 계산한다.",
+            en: "Give the modes damping that the spectrum is for, or compute it under a motion with «`dolmen simulate`|a simulation in time».",
+            ko: "스펙트럼의 적용 범위에 드는 모드 감쇠비를 입력하거나, «`dolmen simulate`|지진응답 검토»로 지반운동에 대한 응답을 계산한다.",
         },
     }
 }

@@ -19,8 +19,8 @@ messages! {
             ko: "입력한 바람에서 최상층의 최대가속도는 가장 불리한 모서리에서 {peak}(표준편차 {rms})이며 풍향은 {axis} 방향이다.",
         },
         NoLimit => {
-            en: "What people bear is not judged: no limit of a code is held here, and the wind of a design comes once in decades. Write wind.acceleration_limit to have it judged.",
-            ko: "거주성은 판정하지 않았다. 기준의 한계값이 수록되어 있지 않으며 설계풍은 수십 년에 한 번 부는 바람이다. wind.acceleration_limit를 입력하면 판정한다.",
+            en: "What people bear is not judged: no limit of a code is held here, and the wind of a design comes once in decades.« Write wind.acceleration_limit to have it judged.»",
+            ko: "거주성은 판정하지 않았다. 기준의 한계값이 수록되어 있지 않으며 설계풍은 수십 년에 한 번 부는 바람이다.« wind.acceleration_limit를 입력하면 판정한다.»",
         },
         BeyondAcceleration { peak: Quantity, limit: Quantity, axis: Sentence } => {
             en: "The top floor is beyond its limit in the wind along {axis}: its peak acceleration is {peak}, {limit} is allowed.",

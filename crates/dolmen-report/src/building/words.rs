@@ -57,12 +57,7 @@ pub(crate) fn direction_words(degrees: f64) -> Sentence {
 /// A text given in both languages.
 pub(crate) fn of_both([english, korean]: &[String; 2]) -> Sentence {
     let run = |text: &String| vec![Run::Text(text.clone())];
-    Sentence {
-        id: "both".to_owned(),
-        arguments: Vec::new(),
-        english: run(english),
-        korean: run(korean),
-    }
+    Sentence::of_runs("both", run(english), run(korean))
 }
 
 /// x (0) or y (1).

@@ -42,12 +42,12 @@ messages! {
             ko: "지반운동의 연직 성분 z(최대 {peak})는 작용하지 않는다. 층 모델은 연직 진동을 고려하지 않는다.",
         },
         NoWind => {
-            en: "the wind of the file does not blow during the motion; `dolmen check` says what it does.",
-            ko: "지반운동 작용 중에는 입력한 바람을 고려하지 않는다. 풍응답은 `dolmen check`에 나온다.",
+            en: "the wind of the file does not blow during the motion; «`dolmen check`|the check of stability» says what it does.",
+            ko: "지반운동 작용 중에는 입력한 바람을 고려하지 않는다. 풍응답은 «`dolmen check`|안정성 검토»에 나온다.",
         },
         NoAccidentalTorsion { code: String } => {
-            en: "the centres of mass are those of the file: the accidental torsion that {code} requires is not in this run, but `dolmen check` includes it for the spectrum of a site.",
-            ko: "질량중심은 입력한 위치이며, {code}이(가) 요구하는 우발비틀림은 이 해석에 없다. 부지 스펙트럼에 대해서는 `dolmen check`가 고려한다.",
+            en: "the centres of mass are those of the file: the accidental torsion that {code} requires is not in this run, but «`dolmen check`|the check of stability» includes it for the spectrum of a site.",
+            ko: "질량중심은 입력한 위치이며, {code}이(가) 요구하는 우발비틀림은 이 해석에 없다. 부지 스펙트럼에 대해서는 «`dolmen check`|안정성 검토»가 고려한다.",
         },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Top { list: Vec<Sentence> } => {

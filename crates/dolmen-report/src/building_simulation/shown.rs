@@ -17,8 +17,8 @@ messages! {
     pub(crate) enum Shown in "building-simulation" {
         Head => { en: "Simulated earthquake", ko: "지진응답 시뮬레이션" },
         Across { damper: String, along: Sentence } => {
-            en: "The ground shakes across damper {damper}, which moves along {along}: this run does not show what it does; turn the motion (--turn).",
-            ko: "지반운동이 감쇠기 {damper}의 작동 방향({along})과 직각이므로 이 해석은 그 효과를 보여 주지 않는다. 지반운동의 방향을 돌려(--turn) 해석한다.",
+            en: "The ground shakes across damper {damper}, which moves along {along}: this run does not show what it does; turn the motion« (--turn)».",
+            ko: "지반운동이 감쇠기 {damper}의 작동 방향({along})과 직각이므로 이 해석은 그 효과를 보여 주지 않는다. 지반운동의 방향을 돌려«(--turn)» 해석한다.",
         },
         Base { x: Quantity, x_share: Quantity, x_at: Quantity, y: Quantity, y_share: Quantity, y_at: Quantity } => {
             en: "Shear in the walls of the lowest storey: along x {x} ({x_share} of the weight) at {x_at}, along y {y} ({y_share}) at {y_at}.",

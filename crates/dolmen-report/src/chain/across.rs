@@ -30,12 +30,12 @@ messages! {
             ko: "최저차 형상에서는 진동하지 않고 안정을 잃는다.",
         },
         Taken { joints: Vec<Sentence>, least: Quantity, most: Quantity } => {
-            en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times (bed_depth / bed_width)², as of a bed of equal springs, at most 1; {least} to {most} of it. Give stiffness_across, or measure frequencies in y.",
-            ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 (bed_depth / bed_width)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {least}~{most}이다. stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.",
+            en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times («bed_depth / bed_width|depth / width of the bed»)², as of a bed of equal springs, at most 1; {least} to {most} of it.« Give stiffness_across, or measure frequencies in y.»",
+            ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 («bed_depth / bed_width|접합면 깊이 / 폭»)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {least}~{most}이다.« stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.»",
         },
         TakenAlike { joints: Vec<Sentence>, share: Quantity } => {
-            en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times (bed_depth / bed_width)², as of a bed of equal springs, at most 1; {share} of it. Give stiffness_across, or measure frequencies in y.",
-            ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 (bed_depth / bed_width)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {share}이다. stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.",
+            en: "How stiff joints {joints} are across is not given, and was assumed: that of the direction of motion times («bed_depth / bed_width|depth / width of the bed»)², as of a bed of equal springs, at most 1; {share} of it.« Give stiffness_across, or measure frequencies in y.»",
+            ko: "접합면 {joints}의 직각 방향 강성이 주어지지 않아 가정하였다. 균일한 스프링 위의 접합면처럼 운동 방향 강성에 («bed_depth / bed_width|접합면 깊이 / 폭»)²을 곱하고 1을 넘지 않게 하였으며, 그 비는 {share}이다.« stiffness_across를 입력하거나 y 방향 고유진동수를 계측해야 한다.»",
         },
         Joint(number: usize) => { en: "{number}", ko: "{number}" },
         Soil(soil: Quantity) => {

@@ -18,8 +18,8 @@ messages! {
             ko: "균열 없는 한 돌이라면 최저 고유진동수는 {whole}이다(티모셴코 보, 하단 고정). 접합면이 있으면 그보다 낮다.",
         },
         WholeFalls => {
-            en: "Even as one uncracked stone it would fall under its own weight: check stone.elastic_modulus and its unit.",
-            ko: "균열 없는 한 돌이라도 자중으로 좌굴한다. stone.elastic_modulus와 그 단위를 확인한다.",
+            en: "Even as one uncracked stone it would fall under its own weight: check «stone.elastic_modulus|the elastic modulus of the stone» and its unit.",
+            ko: "균열 없는 한 돌이라도 자중으로 좌굴한다. «stone.elastic_modulus와|석재의 탄성계수와» 그 단위를 확인한다.",
         },
         Table => { en: "Frequencies on its joints and as one stone, Hz.", ko: "접합면이 있을 때와 한 돌일 때의 고유진동수, Hz." },
         TableMeaning => {

@@ -23,8 +23,8 @@ messages! {
             ko: "간격 없는 측면 지지(지주) {count}개는 접합부 강성을 알면 반영된다. 무게와 길이만으로 구한 한계에는 반영하지 않았다.",
         },
         LeftOut { count: usize, gap: Quantity } => {
-            en: "Load factor, frequencies and wind leave its side supports with a gap out ({count}, the least gap {gap}): they do nothing until it has moved so far. `dolmen simulate` counts them.",
-            ko: "하중배율, 고유진동수, 바람 검토에는 간격이 있는 측면 지지(지주) {count}개를 반영하지 않았다(최소 간격 {gap}). 그만큼 움직이기 전에는 작용하지 않는다. `dolmen simulate`에서는 반영한다.",
+            en: "Load factor, frequencies and wind leave its side supports with a gap out ({count}, the least gap {gap}): they do nothing until it has moved so far. «`dolmen simulate`|A simulation in time» counts them.",
+            ko: "하중배율, 고유진동수, 바람 검토에는 간격이 있는 측면 지지(지주) {count}개를 반영하지 않았다(최소 간격 {gap}). 그만큼 움직이기 전에는 작용하지 않는다. «`dolmen simulate`|지진응답 검토»에서는 반영한다.",
         },
         Met { height: Quantity, first: Quantity, times: usize, force: Quantity } => {
             en: "It meets the side support at {height} first at {first}, {times} times in all; the support takes up to {force}, which its posts must bear.",

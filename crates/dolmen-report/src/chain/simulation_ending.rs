@@ -28,8 +28,8 @@ messages! {
             ko: "두 방향을 합하면(표본 기준) 최대 회전각은 ‘{name}’의 {lean}({at}), 최상단 변위는 {top}이다.",
         },
         LeansTowards { survey: String, tilt: String, direction: String, lean: Quantity } => {
-            en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}; as_surveyed = \"none\" leaves that out.",
-            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향으로 {lean}이다. 제외하려면 as_surveyed = \"none\"으로 한다.",
+            en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}«; as_surveyed = \"none\" leaves that out».",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향으로 {lean}이다.« 제외하려면 as_surveyed = \"none\"으로 한다.»",
         },
         Stood { how: Sentence, lean: Quantity, top: Quantity } => {
             en: "it stands and {how}; links lean by up to {lean}, the top moves {top}.",
@@ -37,8 +37,8 @@ messages! {
         },
         NoEdge => { en: "no bed comes to its edge", ko: "합력이 밑면 끝에 이르는 접합면은 없다" },
         AllHeld => {
-            en: "its joints were taken as unable to open (no bed_width is given, or opening = \"held\")",
-            ko: "접합면이 벌어지지 않는 것으로 가정하였다(bed_width가 없거나 opening = \"held\")",
+            en: "its joints were taken as unable to open («no bed_width is given, or opening = \"held\"|no width of the bed is given, or it is held shut»)",
+            ko: "접합면이 벌어지지 않는 것으로 가정하였다(«bed_width가 없거나 opening = \"held\"|접합면 폭이 없거나 벌어지지 않게 입력됨»)",
         },
         SomeHeld { held: usize, joints: usize } => {
             en: "no bed that can open comes to its edge (taken as unable to open: {held} of {joints} joints)",
@@ -65,20 +65,20 @@ messages! {
             ko: "‘{name}’의 회전각이 {rotation}(으)로, 소회전 방정식의 범위 {most}을(를) 넘어 전도로 본다. --rotations large로 다시 해석한다.",
         },
         Leans { survey: String, tilt: String, lean: Quantity } => {
-            en: "It leans as survey {survey} found it, tilt {tilt}, in the plane of the motion by all directions together: {lean}; as_surveyed = \"none\" leaves that out.",
-            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. 방향별 값을 합성하여 지반운동 방향으로 {lean} 기운 것으로 보았다. 제외하려면 as_surveyed = \"none\"으로 한다.",
+            en: "It leans as survey {survey} found it, tilt {tilt}, in the plane of the motion by all directions together: {lean}«; as_surveyed = \"none\" leaves that out».",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. 방향별 값을 합성하여 지반운동 방향으로 {lean} 기운 것으로 보았다.« 제외하려면 as_surveyed = \"none\"으로 한다.»",
         },
         TiltLeftOut { survey: String, tilt: String } => {
-            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. as_surveyed = \"{survey}\" takes it over.",
-            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 반영하려면 as_surveyed = \"{survey}\"(으)로 한다.",
+            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner.« as_surveyed = \"{survey}\" takes it over.»",
+            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다.« 반영하려면 as_surveyed = \"{survey}\"(으)로 한다.»",
         },
         Carries(weight: Quantity) => {
             en: "It carries the weight of its static loads, {weight}, which swings with it.",
             ko: "정하중의 중량 {weight}이(가) 함께 진동하는 것으로 해석하였다.",
         },
         ForcesLeftOut => {
-            en: "Forces and moments of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
-            ko: "이 해석에는 정하중의 힘·모멘트와 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
+            en: "Forces and moments of static loads and the wind of the file do not act in this run: «`dolmen check`|the check of stability» judges them.",
+            ko: "이 해석에는 정하중의 힘·모멘트와 바람을 반영하지 않았다. «`dolmen check`|안정성 검토»에서 판정한다.",
         },
         FrictionBeyondBed { name: String, moment: Quantity, most: Quantity } => {
             en: "Spring and friction below ‘{name}’ pass {moment}, more than the {most} at which its bed stands on its edge: unless posts or dowels beside the bed take the difference, it opens, and this run does not follow that.",

@@ -43,12 +43,12 @@ messages! {
             ko: "최상단의 최대 변위는 {top}이다({at}).",
         },
         OneHeld { joints: usize, beds: Vec<Sentence> } => {
-            en: "1 of {joints} joints has no bed that can open (no bed_width, or opening = \"held\") and passes any moment here. The bed it would take, 2 M/N: {beds}.",
-            ko: "접합면 {joints}개 중 1개는 벌어지지 않으며(bed_width가 없거나 opening = \"held\") 어떤 모멘트든 전달한다. 필요한 접합면 폭 2M/N: {beds}.",
+            en: "1 of {joints} joints has no bed that can open («no bed_width, or opening = \"held\"|no width of the bed, or held shut») and passes any moment here. The bed it would take, 2 M/N: {beds}.",
+            ko: "접합면 {joints}개 중 1개는 벌어지지 않으며(«bed_width가 없거나 opening = \"held\"|접합면 폭이 없거나 벌어지지 않게 입력됨») 어떤 모멘트든 전달한다. 필요한 접합면 폭 2M/N: {beds}.",
         },
         Held { held: usize, joints: usize, beds: Vec<Sentence> } => {
-            en: "{held} of {joints} joints have no bed that can open (no bed_width, or opening = \"held\") and pass any moment here. The beds they would take, 2 M/N: {beds}.",
-            ko: "접합면 {joints}개 중 {held}개는 벌어지지 않으며(bed_width가 없거나 opening = \"held\") 어떤 모멘트든 전달한다. 필요한 접합면 폭 2M/N: {beds}.",
+            en: "{held} of {joints} joints have no bed that can open («no bed_width, or opening = \"held\"|no width of the bed, or held shut») and pass any moment here. The beds they would take, 2 M/N: {beds}.",
+            ko: "접합면 {joints}개 중 {held}개는 벌어지지 않으며(«bed_width가 없거나 opening = \"held\"|접합면 폭이 없거나 벌어지지 않게 입력됨») 어떤 모멘트든 전달한다. 필요한 접합면 폭 2M/N: {beds}.",
         },
         Bed { name: String, width: Quantity } => { en: "‘{name}’ {width}", ko: "‘{name}’ {width}" },
         Opened(joints: Vec<Sentence>) => {

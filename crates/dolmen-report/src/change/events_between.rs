@@ -12,8 +12,8 @@ messages! {
     /// Events between two surveys.
     pub(crate) enum Befell in "change.between" {
         Between { from: String, to: String, each: Vec<Sentence> } => {
-            en: "Between the surveys {from} and {to} the file has: {each}. What changed may be of these; `dolmen watch` gives each its own change.",
-            ko: "{from} 조사와 {to} 조사 사이에 다음이 있었다: {each}. 변화는 그 영향일 수 있다. 각각의 영향은 `dolmen watch`로 본다.",
+            en: "Between the surveys {from} and {to} the file has: {each}. What changed may be of these; «`dolmen watch`|the review of all surveys» gives each its own change.",
+            ko: "{from} 조사와 {to} 조사 사이에 다음이 있었다: {each}. 변화는 그 영향일 수 있다. 각각의 영향은 «`dolmen watch`|장기 변화 검토»로 본다.",
         },
         Repair { date: String, what: String } => { en: "a repair on {date} ({what})", ko: "{date} 보수({what})" },
         Sensors { date: String, what: String } => {
@@ -26,8 +26,8 @@ messages! {
             ko: "{survey} 조사 기록의 지진",
         },
         FittedThrough { surveys: usize } => {
-            en: "What temperature does was fitted through {surveys} earlier surveys as if the structure had not changed between them: a change within those years is in that line, and not shown here. `dolmen watch` finds both together.",
-            ko: "기온의 영향은 이전 조사 {surveys}회에서 그동안 구조물이 변하지 않은 것으로 보고 추정하였다. 그 기간의 변화는 이 추정에 섞여 여기에 나타나지 않는다. `dolmen watch`는 기온의 영향과 변화를 함께 추정한다.",
+            en: "What temperature does was fitted through {surveys} earlier surveys as if the structure had not changed between them: a change within those years is in that line, and not shown here. «`dolmen watch`|The review of all surveys» finds both together.",
+            ko: "기온의 영향은 이전 조사 {surveys}회에서 그동안 구조물이 변하지 않은 것으로 보고 추정하였다. 그 기간의 변화는 이 추정에 섞여 여기에 나타나지 않는다. «`dolmen watch`|장기 변화 검토»는 기온의 영향과 변화를 함께 추정한다.",
         },
     }
 }

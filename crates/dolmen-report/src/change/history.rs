@@ -15,12 +15,12 @@ messages! {
             ko: "{whose} {lasting}",
         },
         All { surveys: usize, first: String, last: String } => {
-            en: "Weather and scatter in this are those of all {surveys} surveys ({first} to {last}), as in `dolmen watch`.",
-            ko: "기온의 영향과 산포은 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다.",
+            en: "Weather and scatter in this are those of all {surveys} surveys ({first} to {last}), as in «`dolmen watch`|the review of all surveys».",
+            ko: "기온의 영향과 산포는 «`dolmen watch`|장기 변화 검토»와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다.",
         },
         Some { surveys: usize, first: String, last: String, modes: usize, all: usize } => {
-            en: "Weather and scatter of {modes} of {all} frequencies are those of all {surveys} surveys ({first} to {last}), as in `dolmen watch`; the others, which fewer surveys show, are compared from these two alone.",
-            ko: "고유진동수 {all}개 중 {modes}개는 기온의 영향과 산포을 `dolmen watch`와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다. 나머지는 확인된 조사가 적어 두 조사만으로 비교하였다.",
+            en: "Weather and scatter of {modes} of {all} frequencies are those of all {surveys} surveys ({first} to {last}), as in «`dolmen watch`|the review of all surveys»; the others, which fewer surveys show, are compared from these two alone.",
+            ko: "고유진동수 {all}개 중 {modes}개는 기온의 영향과 산포를 «`dolmen watch`|장기 변화 검토»와 같이 전체 조사 {surveys}회({first}~{last})에서 추정하였다. 나머지는 확인된 조사가 적어 두 조사만으로 비교하였다.",
         },
         Lasting { each: Vec<Sentence> } => {
             en: "These are two dates; what lasts between them, by all surveys: {each}.",
@@ -52,7 +52,7 @@ messages! {
             en: "{frequency} {sign}{change} ± {half} by the repair of {date}",
             ko: "{frequency} {sign}{change} ± {half}({date} 보수)",
         },
-        Others { count: usize } => { en: "{count} more (`dolmen watch`)", ko: "그 밖에 {count}건(`dolmen watch`)" },
+        Others { count: usize } => { en: "{count} more« (`dolmen watch`)»", ko: "그 밖에 {count}건«(`dolmen watch`)»" },
         Line { mode: usize, per_c: Quantity, scatter: Quantity, surveys: usize } => {
             en: "Mode {mode}: {per_c} per °C (± standard deviation), from {surveys} surveys together with all lasting changes; beyond the noise of its reading one survey scatters by {scatter}.",
             ko: "모드 {mode}: 1 °C당 {per_c}(± 표준편차). 조사 {surveys}회에서 지속적인 변화와 함께 추정하였다. 측정 오차를 제외한 조사 간 산포는 {scatter}이다.",

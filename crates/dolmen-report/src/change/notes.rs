@@ -46,8 +46,8 @@ messages! {
             ko: "입력 오류 의심: 한 조사에서 x, y 방향이 서로 바뀐 것으로 보인다. 두 조사의 고유진동수 {modes}개가 같고, 모드의 유사도(같으면 1)는 그대로는 {likeness}, x와 y를 맞바꾸면 {exchanged}이다. 채널 또는 모드의 방향을 고치고 다시 비교해야 하며, 아래 결과는 구조물의 변화가 아니다.",
         },
         RateRatio { factor: Quantity, before: Quantity, after: Quantity, modes: usize } => {
-            en: "PROBABLY A SLIP: the sampling rate of one survey is wrong. All {modes} frequencies are {factor} times what they were, which is the ratio of the rates {before} and {after}. Check sampling_rate, or the times in the file, before believing a change.",
-            ko: "입력 오류 의심: 한 조사의 샘플링 주파수가 틀린 것으로 보인다. 고유진동수 {modes}개가 모두 이전의 {factor}배이며, 이는 두 조사의 샘플링 주파수({before}, {after})의 비와 같다. 변화로 판단하기 전에 sampling_rate 또는 파일의 시각을 확인해야 한다.",
+            en: "PROBABLY A SLIP: the sampling rate of one survey is wrong. All {modes} frequencies are {factor} times what they were, which is the ratio of the rates {before} and {after}. Check «sampling_rate|the sampling rates», or the times in the file, before believing a change.",
+            ko: "입력 오류 의심: 한 조사의 샘플링 주파수가 틀린 것으로 보인다. 고유진동수 {modes}개가 모두 이전의 {factor}배이며, 이는 두 조사의 샘플링 주파수({before}, {after})의 비와 같다. 변화로 판단하기 전에 «sampling_rate|샘플링 주파수» 또는 파일의 시각을 확인해야 한다.",
         },
         OneFactor { factor: Quantity, modes: usize } => {
             en: "PROBABLY A SLIP: no mode has a partner, and all {modes} frequencies are {factor} times what they were. Check the sampling rate of a survey, and how its frequencies were counted and written, before believing a change.",

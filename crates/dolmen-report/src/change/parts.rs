@@ -32,12 +32,12 @@ messages! {
             ko: "변한 부위는 찾지 않았다. 계측한 {measured}에 가장 가까운 모델의 고유진동수가 {model}(으)로 {factor}배 차이가 난다. {allowed}배를 넘으면 다른 모드로 본다. {verb}",
         },
         FitStack => {
-            en: "Multiply normal_stiffness and shear_stiffness of the joints by the factor that `dolmen identify` gives, and run this again.",
-            ko: "`dolmen identify`가 주는 배율을 접합부의 normal_stiffness와 shear_stiffness에 곱한 뒤 다시 실행한다.",
+            en: "Multiply «normal_stiffness and shear_stiffness|the normal and shear stiffness» of the joints by the factor that «`dolmen identify`|the identification from vibration» gives, and run this again.",
+            ko: "«`dolmen identify`|진동 평가»가 주는 배율을 접합부의 «normal_stiffness와 shear_stiffness|수직강성과 전단강성»에 곱한 뒤 다시 실행한다.",
         },
         FitModel => {
-            en: "Set the stiffness that `dolmen identify` finds in the file, and run this again.",
-            ko: "`dolmen identify`로 구한 강성을 파일에 쓴 뒤 다시 실행한다.",
+            en: "Set the stiffness that «`dolmen identify`|the identification from vibration» finds in the file, and run this again.",
+            ko: "«`dolmen identify`|진동 평가»로 구한 강성을 파일에 쓴 뒤 다시 실행한다.",
         },
         Alike { factor: Quantity, low: Quantity, high: Quantity } => {
             en: "All parts alike explain the changes as well: {factor} of the stiffness is left everywhere ({low} to {high}), as weather does too.",

@@ -20,8 +20,8 @@ messages! {
             ko: "{from} 조사에서 {to} 조사까지 기울기가 커졌다: {each}. 두 번의 측정만으로는 측정 오차와 구별할 수 없으므로 같은 기준점에서 다시 잰다.",
         },
         TiltsGrewOfMany { from: String, to: String, each: Vec<Sentence>, readings: usize } => {
-            en: "From survey {from} to {to} it leans further: {each}. Two readings cannot tell this from their own error; `dolmen watch` tests all {readings}.",
-            ko: "{from} 조사에서 {to} 조사까지 기울기가 커졌다: {each}. 두 번의 측정만으로는 측정 오차와 구별할 수 없다. `dolmen watch`는 측정 {readings}회를 모두 써서 검정한다.",
+            en: "From survey {from} to {to} it leans further: {each}. Two readings cannot tell this from their own error; «`dolmen watch`|the review of all surveys» tests all {readings}.",
+            ko: "{from} 조사에서 {to} 조사까지 기울기가 커졌다: {each}. 두 번의 측정만으로는 측정 오차와 구별할 수 없다. «`dolmen watch`|장기 변화 검토»는 측정 {readings}회를 모두 써서 검정한다.",
         },
         Tilts { from: String, to: String, each: Vec<Sentence> } => {
             en: "From survey {from} to {to} no tilt grew: {each}.",

@@ -17,12 +17,12 @@ messages! {
             ko: "짝지은 고유진동수 {all}개 중 {undecided}개는 검정하지 않았다. 두 조사 중 하나의 기온을 알 수 없거나 그만큼 추운 조사가 너무 적다.",
         },
         LostFirst => {
-            en: "A mode that is not found again may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
-            ko: "다시 확인되지 않은 모드는 짝으로 볼 수 있는 범위(frequency_within)를 넘어 이동하였거나 가진되지 않았을 수 있다.",
+            en: "A mode that is not found again may have moved further than pairs may lie apart« (frequency_within)», or was not shaken.",
+            ko: "다시 확인되지 않은 모드는 짝으로 볼 수 있는 범위«(frequency_within)»를 넘어 이동하였거나 가진되지 않았을 수 있다.",
         },
         Lost(all: Values) => {
-            en: "Not found again: {all}. Such a mode may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
-            ko: "다시 확인되지 않은 모드: {all}. 짝으로 볼 수 있는 범위(frequency_within)를 넘어 이동하였거나 가진되지 않았을 수 있다.",
+            en: "Not found again: {all}. Such a mode may have moved further than pairs may lie apart« (frequency_within)», or was not shaken.",
+            ko: "다시 확인되지 않은 모드: {all}. 짝으로 볼 수 있는 범위«(frequency_within)»를 넘어 이동하였거나 가진되지 않았을 수 있다.",
         },
         New(all: Values) => { en: "New: {all}.", ko: "새로 나타난 모드: {all}." },
         ByFrequency(all: Values) => {

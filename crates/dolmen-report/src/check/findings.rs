@@ -18,24 +18,24 @@ messages! {
     /// Findings common to all kinds.
     pub(crate) enum Unusual in "check.unusual" {
         Identify => {
-            en: "What to do next: measure its vibration and let `dolmen identify` find the stiffness.",
-            ko: "다음 단계: 진동을 계측하고 `dolmen identify`로 강성을 추정한다.",
+            en: "What to do next: measure its vibration and let «`dolmen identify`|the identification from vibration» find the stiffness.",
+            ko: "다음 단계: 진동을 계측하고 «`dolmen identify`|진동 평가»로 강성을 추정한다.",
         },
         Write => {
-            en: "What to do next: find the stiffness from its vibration (`dolmen identify`); if a survey determines it uniquely, `dolmen identify PROJECT --write` puts it into the file.",
-            ko: "다음 단계: 진동 기록으로 강성을 추정한다(`dolmen identify`). 한 조사로 하나만 정해지면 `dolmen identify PROJECT --write`가 그 값을 파일에 쓴다.",
+            en: "What to do next: find the stiffness from its vibration« (`dolmen identify`); if a survey determines it uniquely, `dolmen identify PROJECT --write` puts it into the file».",
+            ko: "다음 단계: 진동 기록으로 강성을 추정한다«(`dolmen identify`). 한 조사로 하나만 정해지면 `dolmen identify PROJECT --write`가 그 값을 파일에 쓴다».",
         },
         RecordsUnread { survey: String } => {
-            en: "The records of survey {survey} are not compared with this model here: `dolmen identify` finds their modes, and `dolmen report` holds them against it.",
-            ko: "{survey} 조사의 진동 기록은 이 검토에서 모델과 비교하지 않았다. `dolmen identify`가 모드를 구하고, `dolmen report`가 모델과 비교한다.",
+            en: "The records of survey {survey} are not compared with this model here: «`dolmen identify`|the identification from vibration» finds their modes, and «`dolmen report`|the report» holds them against it.",
+            ko: "{survey} 조사의 진동 기록은 이 검토에서 모델과 비교하지 않았다. «`dolmen identify`|진동 평가»가 모드를 구하고, «`dolmen report`|보고서»가 모델과 비교한다.",
         },
         NewerUnread { survey: String, compared: String } => {
-            en: "The newest survey, {survey}, has records of vibration that a check does not read; the comparison of frequencies is that of survey {compared}. `dolmen identify` reads them, and finds an earthquake in them if there is one; `dolmen report` holds them against the model.",
-            ko: "최근 조사 {survey}에는 이 검토에서 읽지 않는 진동 기록이 있으며, 계측 고유진동수와의 비교는 {compared} 조사의 것이다. `dolmen identify`가 기록을 읽고 지진이 들어 있는지도 찾는다. `dolmen report`가 모델과 비교한다.",
+            en: "The newest survey, {survey}, has records of vibration that a check does not read; the comparison of frequencies is that of survey {compared}. «`dolmen identify`|The identification from vibration» reads them, and finds an earthquake in them if there is one; «`dolmen report`|the report» holds them against the model.",
+            ko: "최근 조사 {survey}에는 이 검토에서 읽지 않는 진동 기록이 있으며, 계측 고유진동수와의 비교는 {compared} 조사의 것이다. «`dolmen identify`|진동 평가»가 기록을 읽고 지진이 들어 있는지도 찾는다. «`dolmen report`|보고서»가 모델과 비교한다.",
         },
         MarkedAssumed { survey: String, evidence: Both } => {
-            en: "{evidence}. If survey {survey} did measure them, mark them in the file as measured (`source = \"measured\"`).",
-            ko: "{evidence}. {survey} 조사에서 실제로 계측한 값이면 입력 파일에 계측값으로 표시한다(`source = \"measured\"`).",
+            en: "{evidence}.« If survey {survey} did measure them, mark them in the file as measured (`source = \"measured\"`).»",
+            ko: "{evidence}.« {survey} 조사에서 실제로 계측한 값이면 입력 파일에 계측값으로 표시한다(`source = \"measured\"`).»",
         },
         InDoubt { evidence: Both } => {
             en: "The model is {evidence}. The lowest frequencies alone do not confirm it: check which modes these are, the stiffness and the masses.",

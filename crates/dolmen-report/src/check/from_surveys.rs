@@ -16,8 +16,8 @@ messages! {
             ko: "{part}은 {survey} 조사에서 정하였다: {values}. 미지수만큼의 고유진동수에는 언제나 맞으므로 검증된 값이 아니다.",
         },
         Worst { part: Sentence, survey: String, number: usize, of: usize, values: Values } => {
-            en: "{part} is identified from survey {survey}, which {of} solutions explain. What follows rests on solution {number}, of all the one that a check judges worst: {values}. The others stand beside it as variants; `dolmen identify` says which measurement tells them apart.",
-            ko: "{part}은(는) {survey} 조사에서 정하였으나 이를 설명하는 해가 {of}개이다. 아래 결과는 검토에서 가장 불리한 해 {number}의 것이다: {values}. 나머지 해는 대안으로 함께 검토하며, 어떤 계측으로 가릴 수 있는지는 `dolmen identify`가 보인다.",
+            en: "{part} is identified from survey {survey}, which {of} solutions explain. What follows rests on solution {number}, of all the one that a check judges worst: {values}. The others stand beside it as variants; «`dolmen identify`|the identification from vibration» says which measurement tells them apart.",
+            ko: "{part}은(는) {survey} 조사에서 정하였으나 이를 설명하는 해가 {of}개이다. 아래 결과는 검토에서 가장 불리한 해 {number}의 것이다: {values}. 나머지 해는 대안으로 함께 검토하며, 어떤 계측으로 가릴 수 있는지는 «`dolmen identify`|진동 평가»가 보인다.",
         },
         OfOther { part: Sentence, survey: String, number: usize, of: usize, values: Values } => {
             en: "{part} is that of solution {number} of the {of} that explain survey {survey}: {values}.",
@@ -33,16 +33,16 @@ messages! {
             ko: "{direction} 방향의 강성",
         },
         NoSurvey => {
-            en: "no survey of the file has records or frequencies; add [survey.DATE]",
-            ko: "기록이나 고유진동수가 있는 조사가 파일에 없다. [survey.날짜]를 추가한다",
+            en: "no survey of the file has records or frequencies«; add [survey.DATE]»",
+            ko: "기록이나 고유진동수가 있는 조사가 파일에 없다«. [survey.날짜]를 추가한다»",
         },
         NoModes(survey: String) => {
             en: "survey {survey} shows no modes there; give its frequencies, or position and direction of its channels",
             ko: "{survey} 조사에 해당 모드가 없다. 고유진동수를 쓰거나 채널의 위치와 방향을 준다",
         },
         Bounded(survey: String) => {
-            en: "survey {survey} tells it between wide bounds alone; `dolmen identify` prints them",
-            ko: "{survey} 조사로는 넓은 한계만 알 수 있다. 한계는 `dolmen identify`가 출력한다",
+            en: "survey {survey} tells it between wide bounds alone; «`dolmen identify`|the identification from vibration» prints them",
+            ko: "{survey} 조사로는 넓은 한계만 알 수 있다. 한계는 «`dolmen identify`|진동 평가»가 출력한다",
         },
         Underdetermined(survey: String) => {
             en: "survey {survey} has fewer modes than there are unknowns",
@@ -57,8 +57,8 @@ messages! {
             ko: "{survey} 조사의 모드를 설명하는 강성이 없다",
         },
         Doubted(survey: String) => {
-            en: "the modes of survey {survey} are in doubt; `dolmen identify` says why",
-            ko: "{survey} 조사의 모드가 의심스럽다. 까닭은 `dolmen identify`가 보인다",
+            en: "the modes of survey {survey} are in doubt; «`dolmen identify`|the identification from vibration» says why",
+            ko: "{survey} 조사의 모드가 의심스럽다. 까닭은 «`dolmen identify`|진동 평가»가 보인다",
         },
         TooMany(solutions: usize) => {
             en: "{solutions} solutions explain the modes, too many to judge each; measure mode shapes",

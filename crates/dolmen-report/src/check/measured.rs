@@ -22,8 +22,8 @@ messages! {
     /// Surveys against the model.
     pub(crate) enum Measured in "check.measured" {
         Felt { survey: String, peak: Sentence } => {
-            en: "Survey {survey} states an earthquake{peak}, and no repair or inspection followed: this check is of the structure as the file has it. Inspect the structure; then record the inspection in works of [watch].",
-            ko: "{survey} 조사에 지진이 기재되어 있으나{peak} 이후 보수나 점검이 없다. 이 검토는 파일에 적힌 상태의 구조물에 대한 것이다. 구조물을 점검하고 [watch]의 works에 기록한다.",
+            en: "Survey {survey} states an earthquake{peak}, and no repair or inspection followed: this check is of the structure as the file has it. Inspect the structure; then record the inspection in «works of [watch]|the list of works».",
+            ko: "{survey} 조사에 지진이 기재되어 있으나{peak} 이후 보수나 점검이 없다. 이 검토는 파일에 적힌 상태의 구조물에 대한 것이다. 구조물을 점검하고 «[watch]의 works|조치 이력»에 기록한다.",
         },
         FeltPeak(peak: Quantity) => { en: " (peak acceleration {peak})", ko: "(최대가속도 {peak})" },
         FeltOnly => { en: "", ko: "" },
@@ -45,8 +45,8 @@ messages! {
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 쓰지 않았다. 이 모델의 층은 연직에서 시작한다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
         },
         TiltNotInModel { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
-            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge. The latest survey whose name begins with a date leans the model; as_surveyed names another.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다. 이름이 날짜로 시작하는 최근 조사의 기울기가 반영되며, 다른 조사는 as_surveyed로 지정한다.",
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge. The latest survey whose name begins with a date leans the model«; as_surveyed names another».",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다.« 이름이 날짜로 시작하는 최근 조사의 기울기가 반영되며, 다른 조사는 as_surveyed로 지정한다.»",
         },
         TiltNotTaken { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge.",
@@ -85,20 +85,20 @@ messages! {
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)은 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그쪽으로 {opens}에서 벌어지기 시작한다.",
         },
         BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
-            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets (tilt_limit).",
-            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit}을(를) 넘는다.",
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets« (tilt_limit)».",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계«(tilt_limit)» {limit}을(를) 넘는다.",
         },
         NearItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
-            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is near the limit of {limit} that the file sets (tilt_limit).",
-            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit}에 가깝다.",
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is near the limit of {limit} that the file sets« (tilt_limit)».",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계«(tilt_limit)» {limit}에 가깝다.",
         },
         WithinItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
-            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is within the limit of {limit} that the file sets (tilt_limit).",
-            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit} 이내이다.",
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is within the limit of {limit} that the file sets« (tilt_limit)».",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계«(tilt_limit)» {limit} 이내이다.",
         },
         Undated(surveys: Vec<String>) => {
-            en: "Surveys whose names say no date: {surveys}. Dates decide which survey is the last: beside one with a date these lean no model, their frequencies and damage give way, and compare and watch leave them out. Only their tilt counts, against tilt_limit. Begin the name with the date, 2025-04-02.",
-            ko: "이름에 날짜가 없는 조사: {surveys}. 최근 조사는 날짜로 정하므로, 날짜가 있는 조사가 있으면 이 조사의 기울기는 모델에 반영되지 않고 고유진동수와 손상은 뒤로 밀리며 compare와 watch에서 빠진다. 기울기를 tilt_limit와 비교하는 데만 쓴다. 이름을 2025-04-02처럼 날짜로 시작한다.",
+            en: "Surveys whose names say no date: {surveys}. Dates decide which survey is the last: beside one with a date these lean no model, their frequencies and damage give way, and «compare and watch|the comparisons of surveys» leave them out. Only their tilt counts, against «tilt_limit|the tilt limit». Begin the name with the date, 2025-04-02.",
+            ko: "이름에 날짜가 없는 조사: {surveys}. 최근 조사는 날짜로 정하므로, 날짜가 있는 조사가 있으면 이 조사의 기울기는 모델에 반영되지 않고 고유진동수와 손상은 뒤로 밀리며 «compare와 watch|조사 비교와 장기 변화 검토»에서 빠진다. 기울기를 «tilt_limit|기울기 한계»와 비교하는 데만 쓴다. 이름을 2025-04-02처럼 날짜로 시작한다.",
         },
         BeyondDrift { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is already beyond the storey drift of {limit} that is allowed: storeys start plumb here, and no comparison with that limit holds.",
@@ -118,20 +118,20 @@ messages! {
             ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 계측 오차가 커서 모델이 실제와 맞는지 판단할 수 없다.",
         },
         Superseded { survey: String, measured: Quantity, direction: Both, computed: Quantity, later: String } => {
-            en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}, which survey {later} decides. `dolmen compare` says what changed between them.",
-            ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 판정은 이후의 {later} 조사에 따른다. 두 조사 사이의 변화는 `dolmen compare`로 본다.",
+            en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}, which survey {later} decides. «`dolmen compare`|The comparison of two surveys» says what changed between them.",
+            ko: "{survey} 조사의 {direction} 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 판정은 이후의 {later} 조사에 따른다. 두 조사 사이의 변화는 «`dolmen compare`|조사 비교»로 본다.",
         },
         OtherDirection { survey: String, measured: Quantity, direction: String, known: Vec<String> } => {
             en: "Survey {survey} measured {measured} in direction {direction}, which this model does not have: it is not compared. The directions of the model: {known}.",
             ko: "{survey} 조사의 실측 고유진동수 {measured}은(는) 모델에 없는 {direction} 방향의 값이어서 비교하지 않았다. 모델의 방향: {known}.",
         },
         LogsUnread(logs: Vec<Both>) => {
-            en: "What loggers read of tilts and cracks is not in this answer ({logs}): `dolmen watch` holds it against its limits. If they show a lean, write it as the tilt of a survey.",
-            ko: "기울기·균열 계측 기록({logs})은 이 검토에 반영하지 않았다. 한계와의 비교는 `dolmen watch`에 나온다. 기울기가 나타나면 조사의 tilt로 입력한다.",
+            en: "What loggers read of tilts and cracks is not in this answer ({logs}): «`dolmen watch`|the review of all surveys» holds it against its limits. If they show a lean, write it as the tilt of a survey.",
+            ko: "기울기·균열 계측 기록({logs})은 이 검토에 반영하지 않았다. 한계와의 비교는 «`dolmen watch`|장기 변화 검토»에 나온다. 기울기가 나타나면 조사의 «tilt로|기울기로» 입력한다.",
         },
         YearsNotAsked(surveys: usize) => {
-            en: "Whether an alarm is open over the years is not asked here; surveys with a date: {surveys}. `dolmen watch` and `dolmen report` say so.",
-            ko: "여러 해의 조사에서 조치되지 않은 경보가 있는지는 이 검토에서 다루지 않는다(날짜가 있는 조사 {surveys}회). `dolmen watch`와 `dolmen report`에 나온다.",
+            en: "Whether an alarm is open over the years is not asked here; surveys with a date: {surveys}. «`dolmen watch`|The review of all surveys» and «`dolmen report`|the report» say so.",
+            ko: "여러 해의 조사에서 조치되지 않은 경보가 있는지는 이 검토에서 다루지 않는다(날짜가 있는 조사 {surveys}회). «`dolmen watch`와 `dolmen report`|장기 변화 검토와 보고서»에 나온다.",
         },
         Likely { contradicted: Sentence, likely: Sentence } => { en: "{contradicted} {likely}", ko: "{contradicted} {likely}" },
         Contradicted { survey: String, measured: Quantity, direction: Both, computed: Quantity } => {

@@ -52,8 +52,8 @@ messages! {
         NoPDelta => { en: "P-delta left out", ko: "P-델타 제외" },
         BuildingFault(why: String) => { en: "building that cannot be: {why}", ko: "성립할 수 없는 건물 모델: {why}" },
         AsInspected(each: Vec<Sentence>) => {
-            en: "the model has the damage of inspections: {each}; as_inspected = \"none\" leaves that out",
-            ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}. 제외하려면 as_inspected = \"none\"으로 한다",
+            en: "the model has the damage of inspections: {each}«; as_inspected = \"none\" leaves that out»",
+            ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}«. 제외하려면 as_inspected = \"none\"으로 한다»",
         },
         MadeUp(surveys: Vec<String>) => {
             en: "made up, not measured: survey {surveys}; what follows from it is an illustration",

@@ -23,8 +23,8 @@ messages! {
     /// Sentences around a check on a terminal.
     pub(crate) enum Said in "check.text" {
         NothingModelled => {
-            en: "Nothing is modelled (kind = \"survey\"), so there is nothing to check: run `dolmen identify`.",
-            ko: "모델이 없으므로(kind = \"survey\") 검토할 것이 없다. `dolmen identify`를 실행한다.",
+            en: "Nothing is modelled« (kind = \"survey\")», so there is nothing to check: run «`dolmen identify`|the identification from vibration».",
+            ko: "모델이 없으므로«(kind = \"survey\")» 검토할 것이 없다. «`dolmen identify`|진동 평가»를 실행한다.",
         },
         Variant(variant: Both) => { en: "Variant “{variant}”", ko: "대안 ‘{variant}’" },
     }

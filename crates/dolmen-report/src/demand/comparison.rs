@@ -50,8 +50,8 @@ messages! {
             ko: "탄성 접합면에서 모든 모드의 관성력을 각 접합면 위쪽에 작용시키면 {first}. 1차 모드에서 돌 하나가 받는 가속도는 최대 {amplification} S_a이다.",
         },
         CornerOpens => {
-            en: "A corner of an elastic joint opens before the joint tips, that of a rectangle at a third of that acceleration: `dolmen simulate` says by how much.",
-            ko: "탄성 접합면의 모서리는 접합면 전체가 들리기 전에 벌어지기 시작하며, 직사각형 접합면에서는 그 가속도의 1/3에서 시작한다. 벌어지는 크기는 `dolmen simulate`로 확인한다.",
+            en: "A corner of an elastic joint opens before the joint tips, that of a rectangle at a third of that acceleration: «`dolmen simulate`|a simulation in time» says by how much.",
+            ko: "탄성 접합면의 모서리는 접합면 전체가 들리기 전에 벌어지기 시작하며, 직사각형 접합면에서는 그 가속도의 1/3에서 시작한다. 벌어지는 크기는 «`dolmen simulate`|지진응답 검토»로 확인한다.",
         },
         ModesUnknown => {
             en: "The modes, or what the spectrum asks at their periods, are not known, or nothing is left to compare with: on elastic joints unknown.",

@@ -85,40 +85,40 @@ messages! {
             ko: "{direction} 방향은 부지의 요구 수준과 비교하지 못하였다({why}).",
         },
         LoosePost => {
-            en: "The demand of the site is not compared: a side post with a gap may close, and what is above it then asks more than without. `dolmen simulate` follows it.",
-            ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 설계지진과 비교하지 않는다. `dolmen simulate`로 검토한다.",
+            en: "The demand of the site is not compared: a side post with a gap may close, and what is above it then asks more than without. «`dolmen simulate`|A simulation in time» follows it.",
+            ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 설계지진과 비교하지 않는다. «`dolmen simulate`|지진응답 검토»로 검토한다.",
         },
         FeetLiftOff => {
-            en: "The demand of the site is not compared: the columns that alone support it lift off their stones at a smaller drift than the spectrum asks for, and are softer beyond. `dolmen simulate` follows a frame of one storey.",
-            ko: "골조를 홀로 지지하는 기둥의 주각이 스펙트럼의 층간변위보다 작은 변위에서 들리고 그 뒤에는 더 유연하므로 부지의 설계지진과 비교하지 않는다. 단층 골조는 `dolmen simulate`로 검토한다.",
+            en: "The demand of the site is not compared: the columns that alone support it lift off their stones at a smaller drift than the spectrum asks for, and are softer beyond. «`dolmen simulate`|A simulation in time» follows a frame of one storey.",
+            ko: "골조를 홀로 지지하는 기둥의 주각이 스펙트럼의 층간변위보다 작은 변위에서 들리고 그 뒤에는 더 유연하므로 부지의 설계지진과 비교하지 않는다. 단층 골조는 «`dolmen simulate`|지진응답 검토»로 검토한다.",
         },
         FeetLiftOffIn(direction: String) => {
-            en: "Direction {direction} is not compared with the demand of the site: the columns that alone support it lift off their stones at a smaller drift than the spectrum asks for, and are softer beyond. `dolmen simulate` follows a frame of one storey.",
-            ko: "{direction} 방향은 골조를 홀로 지지하는 기둥의 주각이 스펙트럼의 층간변위보다 작은 변위에서 들리고 그 뒤에는 더 유연하므로 부지의 설계지진과 비교하지 않는다. 단층 골조는 `dolmen simulate`로 검토한다.",
+            en: "Direction {direction} is not compared with the demand of the site: the columns that alone support it lift off their stones at a smaller drift than the spectrum asks for, and are softer beyond. «`dolmen simulate`|A simulation in time» follows a frame of one storey.",
+            ko: "{direction} 방향은 골조를 홀로 지지하는 기둥의 주각이 스펙트럼의 층간변위보다 작은 변위에서 들리고 그 뒤에는 더 유연하므로 부지의 설계지진과 비교하지 않는다. 단층 골조는 «`dolmen simulate`|지진응답 검토»로 검토한다.",
         },
         Rubs => {
             en: "Joints with dry friction are held against the site as free and as sticking, where the whole moves with the ground: the larger moment counts. A part that sticks while others turn is not tried.",
             ko: "마찰이 있는 접합부는 자유로운 경우와 고착되어 전체가 지반과 함께 움직이는 경우 중 큰 모멘트로 부지의 지진과 비교하였다. 일부만 고착된 경우는 검토하지 않았다.",
         },
         Split { direction: String, storey: String, joints: Quantity, beds: Quantity, lifts: Quantity } => {
-            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints, and by about {beds} with all of it in the beds of its columns, which soften where feet lift off at {lifts} (secant stiffness). `dolmen simulate` follows both.",
-            ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}, 모두 기둥 지압면의 강성이면 약 {beds}이며, 뒤의 경우 {lifts}에서 주각이 들려 강성이 낮아진다(할선 강성). `dolmen simulate`는 두 경우를 모두 해석한다.",
+            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints, and by about {beds} with all of it in the beds of its columns, which soften where feet lift off at {lifts} (secant stiffness). «`dolmen simulate`|A simulation in time» follows both.",
+            ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}, 모두 기둥 지압면의 강성이면 약 {beds}이며, 뒤의 경우 {lifts}에서 주각이 들려 강성이 낮아진다(할선 강성). «`dolmen simulate`|지진응답 검토»는 두 경우를 모두 해석한다.",
         },
         SplitFalls { direction: String, storey: String, joints: Quantity, lifts: Quantity } => {
-            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints; with all of it in the beds of its columns, which soften where feet lift off at {lifts}, the spectrum asks for more than they have. `dolmen simulate` follows both.",
-            ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}이다. 모두 기둥 지압면의 강성이면 {lifts}에서 주각이 들려 강성이 낮아지며, 스펙트럼의 요구가 기둥의 저항을 넘는다. `dolmen simulate`는 두 경우를 모두 해석한다.",
+            en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed, since a frequency measures only their sum. By the spectrum it drifts by {joints} of its height with all of it in the joints; with all of it in the beds of its columns, which soften where feet lift off at {lifts}, the spectrum asks for more than they have. «`dolmen simulate`|A simulation in time» follows both.",
+            ko: "{direction} 방향: 고유진동수는 ‘{storey}’의 지압면과 접합부 강성의 합만 나타내므로 그 분담은 가정이다. 스펙트럼에 의한 층간변위는 모두 접합부의 강성이면 층고의 {joints}이다. 모두 기둥 지압면의 강성이면 {lifts}에서 주각이 들려 강성이 낮아지며, 스펙트럼의 요구가 기둥의 저항을 넘는다. «`dolmen simulate`|지진응답 검토»는 두 경우를 모두 해석한다.",
         },
         SplitGiven { direction: String, storey: String, beds: Quantity, joints: Quantity, linear: Quantity, softened: Quantity, lifts: Quantity } => {
-            en: "Direction {direction}: of the stiffness of ‘{storey}’ the beds have {beds}, as bed_stiffness gives it, and joints and walls the other {joints}. Feet lift off at {lifts} of its height and soften it: by the spectrum it drifts by about {softened} (secant stiffness), as if linear by {linear}; the larger counts. `dolmen simulate` follows it.",
-            ko: "{direction} 방향: ‘{storey}’의 층강성 가운데 {beds}은(는) bed_stiffness에 따라 지압면이, 나머지 {joints}은(는) 접합부와 벽체가 부담한다. 층고의 {lifts}에서 주각이 들려 강성이 낮아지므로 스펙트럼에 의한 층간변위는 약 {softened}(할선 강성), 선형으로는 {linear}이며 큰 값으로 판정한다. `dolmen simulate`로 해석할 수 있다.",
+            en: "Direction {direction}: of the stiffness of ‘{storey}’ the beds have {beds}, as «bed_stiffness|the file» gives it, and joints and walls the other {joints}. Feet lift off at {lifts} of its height and soften it: by the spectrum it drifts by about {softened} (secant stiffness), as if linear by {linear}; the larger counts. «`dolmen simulate`|A simulation in time» follows it.",
+            ko: "{direction} 방향: ‘{storey}’의 층강성 가운데 {beds}은(는) «bed_stiffness에|입력값에» 따라 지압면이, 나머지 {joints}은(는) 접합부와 벽체가 부담한다. 층고의 {lifts}에서 주각이 들려 강성이 낮아지므로 스펙트럼에 의한 층간변위는 약 {softened}(할선 강성), 선형으로는 {linear}이며 큰 값으로 판정한다. «`dolmen simulate`|지진응답 검토»로 해석할 수 있다.",
         },
         NoBalanceIn(direction: String) => {
-            en: "Direction {direction} is not compared with the demand of the site: feet lift off, and by the secant stiffness the spectrum asks for a larger drift than columns and joints bear before the storey counts as fallen. `dolmen simulate` follows it.",
-            ko: "{direction} 방향은 주각이 들린 뒤 할선 강성에 의한 스펙트럼의 층간변위가 전도로 보는 변위를 넘으므로 부지의 설계지진과 비교하지 않는다. `dolmen simulate`로 검토한다.",
+            en: "Direction {direction} is not compared with the demand of the site: feet lift off, and by the secant stiffness the spectrum asks for a larger drift than columns and joints bear before the storey counts as fallen. «`dolmen simulate`|A simulation in time» follows it.",
+            ko: "{direction} 방향은 주각이 들린 뒤 할선 강성에 의한 스펙트럼의 층간변위가 전도로 보는 변위를 넘으므로 부지의 설계지진과 비교하지 않는다. «`dolmen simulate`|지진응답 검토»로 검토한다.",
         },
         UnfollowedGiven { direction: String, storey: String, linear: Quantity, lifts: Quantity } => {
-            en: "Direction {direction}: by the spectrum ‘{storey}’ drifts by {linear} of its height as if linear; on beds as stiff as bed_stiffness says, feet lift off at {lifts} and soften it, which is followed in a frame of one storey without friction and tenons alone.",
-            ko: "{direction} 방향: 스펙트럼에 의한 ‘{storey}’의 선형 층간변위는 층고의 {linear}이다. bed_stiffness의 지압면에서는 {lifts}에서 주각이 들려 강성이 낮아지며, 이는 마찰과 장부가 없는 단층 골조에서만 추적한다.",
+            en: "Direction {direction}: by the spectrum ‘{storey}’ drifts by {linear} of its height as if linear; on beds as stiff as «bed_stiffness|the file» says, feet lift off at {lifts} and soften it, which is followed in a frame of one storey without friction and tenons alone.",
+            ko: "{direction} 방향: 스펙트럼에 의한 ‘{storey}’의 선형 층간변위는 층고의 {linear}이다. «bed_stiffness의|입력한 강성의» 지압면에서는 {lifts}에서 주각이 들려 강성이 낮아지며, 이는 마찰과 장부가 없는 단층 골조에서만 추적한다.",
         },
         UnfollowedAssumed { direction: String, storey: String, linear: Quantity, lifts: Quantity } => {
             en: "Direction {direction}: how beds and joints share the stiffness of ‘{storey}’ is assumed. By the spectrum it drifts by {linear} of its height as if linear; with all of it in the beds of its columns feet lift off from {lifts} on and soften it. No range of the drift was computed, which is done in a frame of one storey without friction and tenons alone.",

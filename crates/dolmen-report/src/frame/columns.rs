@@ -27,7 +27,7 @@ messages! {
         },
         LessThanBeds { storey: usize, given: Quantity, beds: Quantity } => {
             en: "storey {storey} has a stiffness of {given}, less than the beds of its columns alone would give, {beds}: the bed stiffness is too high, or the columns do not bear on their whole feet.",
-            ko: "{storey}층의 강성은 {given}(으)로 기둥의 주각 지압면만으로 얻어지는 {beds}보다 작다. bed_stiffness가 너무 크거나 기둥이 전면 접촉하지 않은 것이다.",
+            ko: "{storey}층의 강성은 {given}(으)로 기둥의 주각 지압면만으로 얻어지는 {beds}보다 작다. 지압면 강성이 너무 크거나 기둥이 전면 접촉하지 않은 것이다.",
         },
     }
 }

@@ -31,8 +31,8 @@ messages! {
         Margin => { en: "margin", ko: "여유도" },
         Falls => { en: "falls", ko: "불안정" },
         Identify => {
-            en: "The stiffness is not known: a survey of vibration may give it (`dolmen identify`).",
-            ko: "층강성을 알 수 없다. 상시진동 계측으로 추정할 수 있다(`dolmen identify`).",
+            en: "The stiffness is not known: a survey of vibration may give it« (`dolmen identify`)».",
+            ko: "층강성을 알 수 없다. 상시진동 계측으로 추정할 수 있다«(`dolmen identify`)».",
         },
     }
 }

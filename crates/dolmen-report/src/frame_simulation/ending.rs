@@ -41,8 +41,8 @@ messages! {
         },
         Stuck => { en: "No joint slipped.", ko: "미끄러진 접합부는 없다." },
         ColumnsLeftOut => {
-            en: "The restoring moment of the free-standing columns is not in this motion: the frame moves on its storey stiffness and friction alone, and does not soften where feet lift off. `dolmen check` says what the columns hold.",
-            ko: "이 해석에는 자립 기둥의 복원모멘트를 반영하지 않았으며, 골조는 층강성과 마찰만으로 거동하여 주각이 들린 뒤의 강성 저하가 나타나지 않는다. 기둥의 복원력은 `dolmen check`에서 확인한다.",
+            en: "The restoring moment of the free-standing columns is not in this motion: the frame moves on its storey stiffness and friction alone, and does not soften where feet lift off. «`dolmen check`|The check of stability» says what the columns hold.",
+            ko: "이 해석에는 자립 기둥의 복원모멘트를 반영하지 않았으며, 골조는 층강성과 마찰만으로 거동하여 주각이 들린 뒤의 강성 저하가 나타나지 않는다. 기둥의 복원력은 «`dolmen check`|안정성 검토»에서 확인한다.",
         },
         ColumnsNeedOneStorey => {
             en: "The frame on its columns alone is moved only where it has one storey.",
@@ -61,8 +61,8 @@ messages! {
             ko: "두 방향에 함께 마찰하는 층({names})은 미끄러짐 힘 하나를 방향과 관계없이 나누어 쓴다. 시간 간격은 {step}이며, 두 배로 하면 최대 층간변위가 {change} 달라진다.",
         },
         Leans { survey: String, tilt: String, direction: String, lean: Sentence } => {
-            en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}, which its weight pushes on and which counts against the allowable drift; as_surveyed = \"none\" leaves that out.",
-            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향 {lean}이며, 자중이 그쪽으로 밀고 허용 층간변위에서 그만큼을 뺀다. 제외하려면 as_surveyed = \"none\"으로 한다.",
+            en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}, which its weight pushes on and which counts against the allowable drift«; as_surveyed = \"none\" leaves that out».",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향 {lean}이며, 자중이 그쪽으로 밀고 허용 층간변위에서 그만큼을 뺀다.« 제외하려면 as_surveyed = \"none\"으로 한다.»",
         },
         OneIn(inverse: Quantity) => { en: "1/{inverse}", ko: "1/{inverse}" },
         Plumb => { en: "none", ko: "없음" },
@@ -107,8 +107,8 @@ messages! {
             ko: "정하중의 중량 {weight}이(가) 함께 진동하는 것으로 해석하였다.",
         },
         ForcesLeftOut => {
-            en: "Forces of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
-            ko: "이 해석에는 정하중의 힘과 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
+            en: "Forces of static loads and the wind of the file do not act in this run: «`dolmen check`|the check of stability» judges them.",
+            ko: "이 해석에는 정하중의 힘과 바람을 반영하지 않았다. «`dolmen check`|안정성 검토»에서 판정한다.",
         },
         VerticalLeftOut(peak: Quantity) => {
             en: "The vertical component of the motion, z, with a peak of {peak}, does not act: the axial forces of a frame are those at rest.",

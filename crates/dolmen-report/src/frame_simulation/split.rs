@@ -14,8 +14,8 @@ messages! {
     /// Beds and joints that share a stiffness.
     pub(crate) enum Split in "frame.simulation.split" {
         Given { of: Sentence, beds: Quantity, joints: Quantity, said: Sentence } => {
-            en: "{of}: of the stiffness of the storey its beds have {beds}, as bed_stiffness gives it, and joints and walls the other {joints}. {said}",
-            ko: "{of}: 층강성 가운데 {beds}은(는) bed_stiffness에 따라 기둥 지압면이, 나머지 {joints}은(는) 접합부와 벽체가 부담한다. {said}",
+            en: "{of}: of the stiffness of the storey its beds have {beds}, as «bed_stiffness|the file» gives it, and joints and walls the other {joints}. {said}",
+            ko: "{of}: 층강성 가운데 {beds}은(는) «bed_stiffness에|입력값에» 따라 기둥 지압면이, 나머지 {joints}은(는) 접합부와 벽체가 부담한다. {said}",
         },
         GivenStood { uplift: Quantity } => {
             en: "No foot lifts off; that begins at a drift of {uplift}.",
@@ -34,8 +34,8 @@ messages! {
             ko: "주각이 들린 뒤({lifted}에 처음) 거동이 불규칙하여 시간 간격을 줄여도 최대 변위가 달라진다. 판정하지 않는다.",
         },
         TooStiff { of: Sentence, beds: Quantity, storey: Quantity } => {
-            en: "{of}: with bed_stiffness the beds of its columns alone would have {beds}, more than the {storey} of the whole storey. Both cannot be right, so that how beds and joints share the stiffness is assumed.",
-            ko: "{of}: bed_stiffness에 따른 기둥 지압면만의 강성 {beds}이(가) 층 전체의 강성 {storey}보다 크다. 둘이 함께 옳을 수 없으므로 지압면과 접합부의 강성 분담을 가정하였다.",
+            en: "{of}: with «bed_stiffness|the stiffness of beds that the file gives,» the beds of its columns alone would have {beds}, more than the {storey} of the whole storey. Both cannot be right, so that how beds and joints share the stiffness is assumed.",
+            ko: "{of}: «bed_stiffness에|입력한 지압면 강성에» 따른 기둥 지압면만의 강성 {beds}이(가) 층 전체의 강성 {storey}보다 크다. 둘이 함께 옳을 수 없으므로 지압면과 접합부의 강성 분담을 가정하였다.",
         },
         Together { name: String, drift: Quantity, share: Quantity } => {
             en: "Both directions together: where feet lift off, each direction was followed under its own component. With the largest drifts of both at one time ‘{name}’ drifts by {drift}, {share} of its height, which counts. A foot that tilts both ways at once presses on less of its face than one that tilts either way; that is not followed.",
@@ -50,8 +50,8 @@ messages! {
             ko: "{of}: 지압면과 접합부의 강성 분담과 관계없이 ‘{name}’의 주각은 들리지 않는다. 들림 변위는 최소 {uplift}이다.",
         },
         UnfollowedGiven { of: Sentence, name: String, drift: Quantity, uplift: Quantity, why: Sentence } => {
-            en: "{of}: on beds as stiff as bed_stiffness says, the columns of ‘{name}’ lift off at a drift of {uplift}, and it drifts by {drift} on springs. Beyond the lift-off it is softer, which is not followed {why}.",
-            ko: "{of}: bed_stiffness의 지압면에서 ‘{name}’의 주각은 변위 {uplift}에서 들리는데, 선형 강성에 의한 층간변위는 {drift}이다. 들린 뒤에는 더 유연하지만 {why} 이를 추적하지 않았다.",
+            en: "{of}: on beds as stiff as «bed_stiffness|the file» says, the columns of ‘{name}’ lift off at a drift of {uplift}, and it drifts by {drift} on springs. Beyond the lift-off it is softer, which is not followed {why}.",
+            ko: "{of}: «bed_stiffness의|입력한 강성의» 지압면에서 ‘{name}’의 주각은 변위 {uplift}에서 들리는데, 선형 강성에 의한 층간변위는 {drift}이다. 들린 뒤에는 더 유연하지만 {why} 이를 추적하지 않았다.",
         },
         UnfollowedAssumed { of: Sentence, name: String, drift: Quantity, uplift: Quantity, why: Sentence } => {
             en: "{of}: how beds and joints share the stiffness of ‘{name}’ is assumed: springs keep all of it, and it drifts by {drift}. With all of it in the beds of its columns feet lift off from {uplift} on and soften. No range of the drift was run {why}.",

@@ -34,8 +34,8 @@ messages! {
             ko: "{direction} 방향에서 계측된 모드가 모두 비틀림 모드여서 강성을 추정하지 않았다. 모드의 kind를 확인해야 하며, 강성은 최저 병진 모드에서 구한다.",
         },
         OnColumnsAlone(direction: String) => {
-            en: "No stiffness is sought in direction {direction}: the file gives 0, so that nothing but the beds of its columns holds it, and they give its frequency. Write stiffness = \"unknown\" where joints may hold it.",
-            ko: "{direction} 방향은 파일의 stiffness가 0으로, 기둥의 지압면만으로 지지되어 고유진동수가 정해지므로 강성을 추정하지 않았다. 접합부가 지지할 수 있으면 stiffness = \"unknown\"으로 쓴다.",
+            en: "No stiffness is sought in direction {direction}: the file gives 0, so that nothing but the beds of its columns holds it, and they give its frequency.« Write stiffness = \"unknown\" where joints may hold it.»",
+            ko: "{direction} 방향은 파일의 «stiffness가|층강성이» 0으로, 기둥의 지압면만으로 지지되어 고유진동수가 정해지므로 강성을 추정하지 않았다.« 접합부가 지지할 수 있으면 stiffness = \"unknown\"으로 쓴다.»",
         },
         OffTheAxes(channels: Vec<String>) => {
             en: "No stiffness is sought: no sensor points within 15° of x or y ({channels} do not); turn the axes of the project with the sensors, or give the direction in which each measures.",

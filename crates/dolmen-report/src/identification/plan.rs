@@ -117,8 +117,8 @@ messages! {
             ko: "건물의 층이 {floors}개여서 진동으로 강성을 추정하지 않았다. 추정은 바닥 하나와 그 아래 층 하나인 건물에만 한다. 검토에서 계측 고유진동수와 모델의 값을 비교한다.",
         },
         WhatDampers(dampers: Vec<String>) => {
-            en: "No stiffness is sought from vibration: the file puts dampers on the floor ({dampers}), and modes measured with them are not those of the floor alone. Survey with the dampers blocked, and move them into a [variant]; the check compares what was measured with the modes of the whole, dampers included.",
-            ko: "파일에 감쇠기({dampers})가 있어, 그대로 계측한 모드는 바닥만의 모드가 아니므로 진동으로 강성을 추정하지 않았다. 감쇠기를 고정하고 계측한 뒤 감쇠기를 [variant]로 옮겨야 한다. 검토에서는 계측값을 감쇠기를 포함한 전체의 모드와 비교한다.",
+            en: "No stiffness is sought from vibration: the file puts dampers on the floor ({dampers}), and modes measured with them are not those of the floor alone. Survey with the dampers blocked, and move them into a «[variant]|variant»; the check compares what was measured with the modes of the whole, dampers included.",
+            ko: "파일에 감쇠기({dampers})가 있어, 그대로 계측한 모드는 바닥만의 모드가 아니므로 진동으로 강성을 추정하지 않았다. 감쇠기를 고정하고 계측한 뒤 감쇠기를 «[variant]로|대안으로» 옮겨야 한다. 검토에서는 계측값을 감쇠기를 포함한 전체의 모드와 비교한다.",
         },
         WhatTurned => {
             en: "No stiffness is sought from vibration: the walls of the storey are turned from x and y, which makes more unknowns than k_x, k_y and k_θ. Turn the axes of the plan with the walls.",

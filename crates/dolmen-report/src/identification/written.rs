@@ -18,20 +18,20 @@ messages! {
             ko: "{path} = {value} (이전 값: {before})",
         },
         Next => {
-            en: "`dolmen check`, `simulate` and `report` rest on it now; that survey is no longer evidence for the model.",
-            ko: "이제 `dolmen check`, `simulate`, `report`가 이 값을 쓴다. 이 조사는 더 이상 모델을 확인하는 근거가 되지 않는다.",
+            en: "«`dolmen check`, `simulate` and `report`|The check of stability, simulations and the report» rest on it now; that survey is no longer evidence for the model.",
+            ko: "이제 «`dolmen check`, `simulate`, `report`가|안정성 검토, 지진응답 검토, 보고서가» 이 값을 쓴다. 이 조사는 더 이상 모델을 확인하는 근거가 되지 않는다.",
         },
         Unchecked => {
-            en: "Nothing checks these values: they fit as many frequencies as there are unknown stiffnesses, whatever the structure is. `dolmen check` calls no answer green that rests on them alone. A measured mode shape would check them.",
-            ko: "이 값은 검증되지 않았다. 미지 강성의 수만큼의 고유진동수에 맞춘 값이어서 구조물이 실제로 어떻든 맞는다. 이 값에만 근거한 결과를 `dolmen check`는 양호로 판정하지 않는다. 모드형상을 계측하면 검증할 수 있다.",
+            en: "Nothing checks these values: they fit as many frequencies as there are unknown stiffnesses, whatever the structure is. «`dolmen check`|The check of stability» calls no answer green that rests on them alone. A measured mode shape would check them.",
+            ko: "이 값은 검증되지 않았다. 미지 강성의 수만큼의 고유진동수에 맞춘 값이어서 구조물이 실제로 어떻든 맞는다. 이 값에만 근거한 결과를 «`dolmen check`|안정성 검토»는 양호로 판정하지 않는다. 모드형상을 계측하면 검증할 수 있다.",
         },
         CanBeUnchecked => {
-            en: "One survey gives the stiffness, by construction: `dolmen identify PROJECT --write` puts it into the project file, and all answers that rest on it say that nothing checks it.",
-            ko: "한 조사로 강성이 정해지나 검증되지 않는다. `dolmen identify PROJECT --write`로 프로젝트 파일에 쓸 수 있으며, 이 값을 쓰는 모든 검토에 검증되지 않았다고 표시된다.",
+            en: "One survey gives the stiffness, by construction: «`dolmen identify PROJECT --write`|the identification from vibration» puts it into the project file, and all answers that rest on it say that nothing checks it.",
+            ko: "한 조사로 강성이 정해지나 검증되지 않는다.« `dolmen identify PROJECT --write`로 프로젝트 파일에 쓸 수 있으며, 이 값을 쓰는 모든 검토에 검증되지 않았다고 표시된다.»",
         },
         CanBe => {
-            en: "One survey determines the stiffness: `dolmen identify PROJECT --write` puts it into the project file, with its standard deviation, and all answers rest on it then.",
-            ko: "한 조사로 강성이 정해진다. `dolmen identify PROJECT --write`로 표준편차와 함께 프로젝트 파일에 쓰면 이후의 모든 검토가 그 값을 쓴다.",
+            en: "One survey determines the stiffness: «`dolmen identify PROJECT --write`|the identification from vibration» puts it into the project file, with its standard deviation, and all answers rest on it then.",
+            ko: "한 조사로 강성이 정해진다.« `dolmen identify PROJECT --write`로 표준편차와 함께 프로젝트 파일에 쓰면 이후의 모든 검토가 그 값을 쓴다.»",
         },
     }
 }

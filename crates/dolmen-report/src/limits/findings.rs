@@ -35,8 +35,8 @@ messages! {
             ko: "{part}의 층간변위비는 {drift}이며, 지진 전 기울기 {lean}만으로 이미 허용값 {allowed}에 이른다(저항/요구 0).",
         },
         DriftWithout { part: Sentence, drift: Quantity } => {
-            en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided. Write [limits] with code and importance, or storey_drift.",
-            ko: "{part}의 층간변위비는 {drift}이나 허용 층간변위가 없어 판정하지 않는다. [limits]에 code와 importance, 또는 storey_drift를 입력한다.",
+            en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided.« Write [limits] with code and importance, or storey_drift.»",
+            ko: "{part}의 층간변위비는 {drift}이나 허용 층간변위가 없어 판정하지 않는다.« [limits]에 code와 importance, 또는 storey_drift를 입력한다.»",
         },
         Falls { part: Sentence, drift: Quantity, most: Quantity } => {
             en: "{part} drifts {drift} of its height, beyond the {most} up to which small drifts can tell: it falls.",
@@ -51,8 +51,8 @@ messages! {
             ko: "{part}의 모멘트는 {moment}이다. 접합면의 전도 모멘트에서 기울기와 정하중의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
         },
         NoBed { part: Sentence, moment: Quantity } => {
-            en: "{part} has a moment of {moment}; without bed_width nothing is decided.",
-            ko: "{part}의 모멘트는 {moment}이나 bed_width가 없어 판정하지 않는다.",
+            en: "{part} has a moment of {moment}; without «bed_width|bed width» nothing is decided.",
+            ko: "{part}의 모멘트는 {moment}이나 «bed_width가|접합면 폭이» 없어 판정하지 않는다.",
         },
         Of { of: Sentence, said: Sentence } => { en: "{of}, {said}", ko: "{of}: {said}" },
     }

@@ -29,8 +29,8 @@ messages! {
             ko: "층별 층간변위와, 허용 층간변위 {allowed}({source})에서 실측 기울기의 몫을 뺀 값.",
         },
         DriftsWithout => {
-            en: "Drift of each storey; the file gives no allowable drift ([limits]).",
-            ko: "층별 층간변위(입력 파일에 허용 층간변위 [limits]가 없음).",
+            en: "Drift of each storey; the file gives no allowable drift« ([limits])».",
+            ko: "층별 층간변위(입력 파일에 허용 층간변위« [limits]»가 없음).",
         },
         Moments => {
             en: "Moment of each joint against that at which its bed stands on its edge.",

@@ -23,8 +23,8 @@ messages! {
             ko: "기준에 1차 고유진동수가 필요하나 접합부 강성이 주어지지 않았다",
         },
         Damping(frequency: Quantity) => {
-            en: "at {frequency} resonance counts, which needs damping_ratio",
-            ko: "고유진동수 {frequency}에서는 공진을 고려해야 하며 damping_ratio가 필요하다",
+            en: "at {frequency} resonance counts, which needs «damping_ratio|the damping ratio»",
+            ko: "고유진동수 {frequency}에서는 공진을 고려해야 하며 «damping_ratio|감쇠비»가 필요하다",
         },
         StackSways(frequency: Quantity) => {
             en: "on the springs of its joints it sways at {frequency}, where gusts near that frequency add to the pressure of the code. Give the gust of a wind study, or joints with a stiffness that was measured",

@@ -25,8 +25,8 @@ messages! {
             ko: "{what}: {floor} 바닥 아래층의 {axis} 방향 층간변위가 층고의 {ratio}(으)로 허용값 {limit}을(를) 넘는다.",
         },
         NoLimit { what: Sentence, ratio: Quantity, floor: Sentence, axis: Sentence } => {
-            en: "{what}: the largest drift is {ratio} of the storey height, along {axis} below floor {floor}. The file gives no limit for it. Write storey_drift into [limits].",
-            ko: "{what}: 최대 층간변위는 {floor} 바닥 아래에서 {axis} 방향으로 층고의 {ratio}이다. 파일에 허용값이 없어 판정하지 않았다. [limits]에 storey_drift를 쓴다.",
+            en: "{what}: the largest drift is {ratio} of the storey height, along {axis} below floor {floor}. The file gives no limit for it.« Write storey_drift into [limits].»",
+            ko: "{what}: 최대 층간변위는 {floor} 바닥 아래에서 {axis} 방향으로 층고의 {ratio}이다. 파일에 허용값이 없어 판정하지 않았다.« [limits]에 storey_drift를 쓴다.»",
         },
         UnknownWind { what: Sentence } => {
             en: "{what}: its drifts are without the motion in the wind, which is not computed.",

@@ -77,8 +77,8 @@ messages! {
             ko: "저항 배수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 어느 접합면이 한계에 이르는 값이다.",
         },
         StackCombinationsMeaning => {
-            en: "“Borne ×” is what wind and static loads can be multiplied by until no forces in the joints balance them, the weight as it is: the least of all loads together, of all but what presses downwards, and of the wind alone, without the loads that press downwards.",
-            ko: "저항 배수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 접합력과의 평형이 불가능해지는 값이다. 모든 하중, 아래로 누르는 하중을 제외한 하중, 아래로 누르는 하중 없이 풍하중만을 키운 경우 중 최솟값이다.",
+            en: "“Borne ×” is what wind and static loads can be multiplied by until no forces in the joints balance them, the weight as it is: the least of all loads together, of all but what presses downwards, and of the wind alone, without those downward loads that resist it.",
+            ko: "저항 배수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 접합력과의 평형이 불가능해지는 값이다. 모든 하중, 아래로 누르는 하중을 제외한 하중, 풍하중에 저항하는 연직하중 없이 풍하중만을 키운 경우 중 최솟값이다.",
         },
         Combination => { en: "Combination", ko: "하중조합" },
         VerdictHead => { en: "verdict", ko: "판정" },

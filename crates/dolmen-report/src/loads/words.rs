@@ -43,8 +43,8 @@ messages! {
             ko: "{said} 가장 불리한 풍향은 {towards} 방향이다.",
         },
         WindInNone => {
-            en: "Wind is in the file, but no combination has a factor on it: it was not counted. Write wind = 1 into [combination.NAME].",
-            ko: "파일에 풍하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 wind = 1을 쓴다.",
+            en: "Wind is in the file, but no combination has a factor on it: it was not counted.« Write wind = 1 into [combination.NAME].»",
+            ko: "파일에 풍하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다.« [combination.이름]에 wind = 1을 쓴다.»",
         },
         BeforeMoved => {
             en: "That is of the shape in the file, before its supports moved: of wind, and of more load than there is, nothing is known of the shape after it.",
@@ -55,8 +55,8 @@ messages! {
             ko: "파일의 하중조합 가운데 정하중을 포함하는 것이 없다. 다만 바람이 없을 때의 안정 판정에는 정하중이 포함되어 있다.",
         },
         LoadsInNone => {
-            en: "Static loads are in the file, but no combination has a factor on them: they were not counted. Write loads = 1 into [combination.NAME].",
-            ko: "파일에 정하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 loads = 1을 쓴다.",
+            en: "Static loads are in the file, but no combination has a factor on them: they were not counted.« Write loads = 1 into [combination.NAME].»",
+            ko: "파일에 정하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다.« [combination.이름]에 loads = 1을 쓴다.»",
         },
         Heavy { what: Sentence, factor: Quantity, stable: Quantity } => {
             en: "{what}: it falls at {factor} times what it weighs with its loads; “stable” needs {stable}.",
@@ -163,12 +163,12 @@ messages! {
             ko: "풍하중을 검토하지 못하였다. {why}.",
         },
         NoResonanceOfKds(frequency: Quantity) => {
-            en: "Its lowest frequency is {frequency}, and the gust factor of KDS 41 12 00 used here is for stiff structures, above 1 Hz: the resonant part comes on top, and what it bears above is without it. Use code = \"EN 1991-1-4\", whose Annex B has it, or give the gust of a wind study.",
-            ko: "1차 고유진동수가 {frequency}이며, 여기에 쓴 KDS 41 12 00의 가스트영향계수는 1 Hz를 넘는 강체 구조물용이다. 공진 성분이 더해지며, 위의 저항 배수는 이를 제외한 값이다. 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 입력한다.",
+            en: "Its lowest frequency is {frequency}, and the gust factor of KDS 41 12 00 used here is for stiff structures, above 1 Hz: the resonant part comes on top, and what it bears above is without it.« Use code = \"EN 1991-1-4\", whose Annex B has it, or give the gust of a wind study.»",
+            ko: "1차 고유진동수가 {frequency}이며, 여기에 쓴 KDS 41 12 00의 가스트영향계수는 1 Hz를 넘는 강체 구조물용이다. 공진 성분이 더해지며, 위의 저항 배수는 이를 제외한 값이다.« 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 입력한다.»",
         },
         NoResonance(frequency: Quantity) => {
-            en: "At {frequency} gusts make it swing, and a gust as given does not hold that: what it bears above is without resonance. Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.",
-            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 위의 저항 배수는 공진을 제외한 값이다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 입력해야 한다.",
+            en: "At {frequency} gusts make it swing, and a gust as given does not hold that: what it bears above is without resonance.« Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.»",
+            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 위의 저항 배수는 공진을 제외한 값이다.« 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 입력해야 한다.»",
         },
     }
 }

@@ -41,8 +41,8 @@ messages! {
             ko: "위치나 방향이 없거나 그 위치에 모델의 부재가 없어 비교하지 않은 채널: {channels}.",
         },
         FarOff { modes: Vec<Sentence>, times: Quantity } => {
-            en: "Doubtful: measured mode {modes} looks like a mode of the model whose frequency is more than {times} times as high or as low. Either the model is not this structure, or these channels do not tell its modes apart; more sensors, or better places (`dolmen sensors`), decide it.",
-            ko: "의심되는 결과: 계측 모드 {modes}은(는) 형상이 비슷한 모델 모드와 진동수가 {times}배 넘게 다르다. 모델이 이 구조물과 다르거나, 이 채널들로는 모델 모드를 판별할 수 없다. 센서를 늘리거나 더 좋은 위치(`dolmen sensors`)에 두어 가린다.",
+            en: "Doubtful: measured mode {modes} looks like a mode of the model whose frequency is more than {times} times as high or as low. Either the model is not this structure, or these channels do not tell its modes apart; more sensors, or better places« (`dolmen sensors`)», decide it.",
+            ko: "의심되는 결과: 계측 모드 {modes}은(는) 형상이 비슷한 모델 모드와 진동수가 {times}배 넘게 다르다. 모델이 이 구조물과 다르거나, 이 채널들로는 모델 모드를 판별할 수 없다. 센서를 늘리거나 더 좋은 위치«(`dolmen sensors`)»에 두어 가린다.",
         },
         WithoutDampers { dampers: Vec<String> } => {
             en: "The modes of the model are those of the structure without its dampers ({dampers}): near the frequency of one that is tuned, two modes of like shape are measured where the model has one.",

@@ -11,12 +11,12 @@ messages! {
     /// Restrictions on the use of modes.
     pub(crate) enum Cautions in "modal.cautions" {
         FreeDecay { explained: Quantity } => {
-            en: "THIS IS A FREE DECAY: modes that die away from the beginning of the record explain {explained} of its motion. Write method = \"era\" into records.modal: a method for ambient vibration misses modes here, and its deviations do not hold.",
-            ko: "자유감쇠 기록이다. 기록의 처음부터 줄어드는 모드가 운동의 {explained}을(를) 설명한다. records.modal에 method = \"era\"를 적는다. 상시진동에 쓰는 방법은 이런 기록에서 모드를 놓치며 그 표준편차도 맞지 않는다.",
+            en: "THIS IS A FREE DECAY: modes that die away from the beginning of the record explain {explained} of its motion.« Write method = \"era\" into records.modal: a method for ambient vibration misses modes here, and its deviations do not hold.»",
+            ko: "자유감쇠 기록이다. 기록의 처음부터 줄어드는 모드가 운동의 {explained}을(를) 설명한다«. records.modal에 method = \"era\"를 적는다». 상시진동에 쓰는 방법은 이런 기록에서 모드를 놓치며 그 표준편차도 맞지 않는다.",
         },
         FreeDecays { decays: usize, explained: Quantity, from: Quantity, to: Quantity } => {
-            en: "FREE DECAYS make up this record, {decays} of them: modes that die away from the beginning of each explain {explained} or more of its motion. The tests for machines and footsteps do not apply to them and were left out; the deviations of an ambient method do not hold. Cut out one decay (conditioning.cut with from_s = {from} and to_s = {to}) and write method = \"era\" into records.modal, or measure without blows.",
-            ko: "이 기록은 자유감쇠 {decays}개로 이루어져 있다. 각 자유감쇠의 처음부터 줄어드는 모드가 그 운동의 {explained} 이상을 설명한다. 기계와 발걸음의 검정은 이런 기록에 맞지 않아 하지 않았으며, 상시진동 방법의 표준편차도 맞지 않는다. 자유감쇠 하나를 잘라(conditioning.cut의 from_s = {from}, to_s = {to}) records.modal에 method = \"era\"를 적거나, 타격 없이 측정한다.",
+            en: "FREE DECAYS make up this record, {decays} of them: modes that die away from the beginning of each explain {explained} or more of its motion. The tests for machines and footsteps do not apply to them and were left out; the deviations of an ambient method do not hold.« Cut out one decay (conditioning.cut with from_s = {from} and to_s = {to}) and write method = \"era\" into records.modal, or measure without blows.»",
+            ko: "이 기록은 자유감쇠 {decays}개로 이루어져 있다. 각 자유감쇠의 처음부터 줄어드는 모드가 그 운동의 {explained} 이상을 설명한다. 기계와 발걸음의 검정은 이런 기록에 맞지 않아 하지 않았으며, 상시진동 방법의 표준편차도 맞지 않는다.« 자유감쇠 하나를 잘라(conditioning.cut의 from_s = {from}, to_s = {to}) records.modal에 method = \"era\"를 적거나, 타격 없이 측정한다.»",
         },
         FewStrongBlocks { blocks: usize, of: usize, factor: Quantity } => {
             en: "The motion swells: these deviations stand on {blocks} equally strong blocks of time of {of}, so 95 % lie within {factor} times the deviation, not 2.",

@@ -8,12 +8,12 @@ messages! {
     /// Clocks of channels.
     pub(crate) enum Clocks in "modal.clocks" {
         Drift { each: Vec<Sentence>, frequency: Quantity, turn: Quantity } => {
-            en: "Clocks run apart: {each} against the other channels (± standard deviation), which turns the phase at {frequency} by {turn} along the record; frequencies and damping stay, and these channels are left out of the shapes; give the station of each the rate in brackets as its sampling_rate, and they are in them.",
-            ko: "기록계의 시계가 다른 채널과 다르게 간다: {each}(± 표준편차). {frequency}에서 기록 중 위상이 {turn} 돌아간다. 진동수와 감쇠비는 유효하나 이 채널은 모드형상에서 제외하였다. 해당 측점에 괄호 안의 샘플링 주파수(sampling_rate)를 주면 포함된다.",
+            en: "Clocks run apart: {each} against the other channels (± standard deviation), which turns the phase at {frequency} by {turn} along the record; frequencies and damping stay, and these channels are left out of the shapes«; give the station of each the rate in brackets as its sampling_rate, and they are in them».",
+            ko: "기록계의 시계가 다른 채널과 다르게 간다: {each}(± 표준편차). {frequency}에서 기록 중 위상이 {turn} 돌아간다. 진동수와 감쇠비는 유효하나 이 채널은 모드형상에서 제외하였다.« 해당 측점에 괄호 안의 샘플링 주파수(sampling_rate)를 주면 포함된다.»",
         },
         EitherDrift { each: Vec<Sentence>, others: Vec<String>, frequency: Quantity, turn: Quantity } => {
-            en: "Two clocks run apart: either {each}, or {others} as much the other way (± standard deviation), which turns the phase at {frequency} by {turn} along the record. No more channels agree with one than with the other, so the phases cannot tell which is wrong; frequencies and damping stay, and the former are left out of the shapes. Compare the clocks of the recorders; if the former are wrong, give their stations the rate in brackets as sampling_rate, otherwise give the others a rate that differs as much the other way.",
-            ko: "두 시계가 서로 다르게 간다: {each}, 아니면 {others}이(가) 반대로 그만큼 다르게 간다(± 표준편차). {frequency}에서 기록 중 위상이 {turn} 돌아간다. 어느 한쪽과 맞는 채널이 더 많지 않아 위상으로는 어느 쪽이 틀렸는지 알 수 없다. 진동수와 감쇠비는 유효하며 앞의 채널은 모드형상에서 제외하였다. 기록계의 시계를 비교하여, 앞의 채널이 틀렸으면 해당 측점에 괄호 안의 샘플링 주파수(sampling_rate)를 주고, 아니면 다른 채널의 측점에 반대로 그만큼 다른 값을 준다.",
+            en: "Two clocks run apart: either {each}, or {others} as much the other way (± standard deviation), which turns the phase at {frequency} by {turn} along the record. No more channels agree with one than with the other, so the phases cannot tell which is wrong; frequencies and damping stay, and the former are left out of the shapes. Compare the clocks of the recorders«; if the former are wrong, give their stations the rate in brackets as sampling_rate, otherwise give the others a rate that differs as much the other way».",
+            ko: "두 시계가 서로 다르게 간다: {each}, 아니면 {others}이(가) 반대로 그만큼 다르게 간다(± 표준편차). {frequency}에서 기록 중 위상이 {turn} 돌아간다. 어느 한쪽과 맞는 채널이 더 많지 않아 위상으로는 어느 쪽이 틀렸는지 알 수 없다. 진동수와 감쇠비는 유효하며 앞의 채널은 모드형상에서 제외하였다.« 기록계의 시계를 비교하여, 앞의 채널이 틀렸으면 해당 측점에 괄호 안의 샘플링 주파수(sampling_rate)를 주고, 아니면 다른 채널의 측점에 반대로 그만큼 다른 값을 준다.»",
         },
         Drifting { channel: String, drift: Quantity, rate: Quantity } => {
             en: "\"{channel}\" by {drift} ({rate})",

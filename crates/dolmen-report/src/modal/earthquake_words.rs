@@ -126,8 +126,8 @@ messages! {
             ko: "잔류 기울기나 변위는 제시하지 않는다. 가속도계를 두 번 적분하면 작은 영점 오차도 변위로 나타난다. 경사계를 읽거나 기울기를 다시 측량한다.",
         },
         NotOne => {
-            en: "Where this is no earthquake (a blast, a crowd, blows of a hammer), say earthquake = \"none\" in records.modal.",
-            ko: "지진이 아니면(발파, 군중, 해머 타격) records.modal에 earthquake = \"none\"을 적는다.",
+            en: "Where this is no earthquake (a blast, a crowd, blows of a hammer), «say earthquake = \"none\" in records.modal|the file can say so».",
+            ko: "지진이 아니면(발파, 군중, 해머 타격) «records.modal에 earthquake = \"none\"을 적는다|파일에 그렇게 적을 수 있다».",
         },
         Softer => {
             en: "Frequencies fall with the strength of motion in stone and timber, and come back with it: the one in the earthquake says nothing of damage. The part after it begins where the motion has sunk to twice the noise.",

@@ -28,8 +28,8 @@ messages! {
             ko: "채널 \"{channel}\"와(과) \"{other}\"의 신호가 거의 같다(증분의 상관계수 {correlation}). 한 케이블이 두 입력에 연결되었거나 두 센서가 같은 위치에 있다.",
         },
         Drifts { channel: String, rise: Quantity } => {
-            en: "Channel \"{channel}\" drifts by {rise} times its motion over the record, and low modes and dampings come out wrong: take the line off first; detrend_degree = 1 does so.",
-            ko: "채널 \"{channel}\": 기록 전체에 걸친 표류가 운동의 {rise}배이다. 먼저 직선 추세를 제거해야 하며(detrend_degree = 1), 그렇지 않으면 낮은 모드와 감쇠비가 틀리게 된다.",
+            en: "Channel \"{channel}\" drifts by {rise} times its motion over the record, and low modes and dampings come out wrong: take the line off first«; detrend_degree = 1 does so».",
+            ko: "채널 \"{channel}\": 기록 전체에 걸친 표류가 운동의 {rise}배이다. 먼저 직선 추세를 제거해야 하며«(detrend_degree = 1)», 그렇지 않으면 낮은 모드와 감쇠비가 틀리게 된다.",
         },
         OneSpike { channel: String, first: Quantity } => {
             en: "Channel \"{channel}\": 1 single sample stands out of its neighbours by 25 times what is usual, at {first}: it adds noise, and damping comes out wrong; look at the cable.",

@@ -32,8 +32,8 @@ messages! {
             ko: "{tones}에 기록 전체에서 위상이 일정하거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
         },
         Narrow { least: Quantity, peaks: Vec<Sentence>, first: Quantity } => {
-            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, or steadier than modes are, at {peaks}: machines that run for a part of the time, or modes damped less than that; damping_least in the modal options of the survey admits them, and accept = [{first}] the one at that frequency.",
-            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다. 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮추거나 accept = [{first}]처럼 진동수를 지정한다.",
+            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, or steadier than modes are, at {peaks}: machines that run for a part of the time, or modes damped less than that«; damping_least in the modal options of the survey admits them, and accept = [{first}] the one at that frequency».",
+            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다.« 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮추거나 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         TonesOnModes { tones: Vec<Sentence> } => {
             en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low, and its shape is the machine's too: measure while the machine rests.",
@@ -48,28 +48,28 @@ messages! {
             ko: "{steady}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 모드로 신뢰할 수 없다.",
         },
         WanderingRemoved { machines: Vec<Sentence>, first: Quantity } => {
-            en: "Left out, since random forces change the strength and the phase of a motion alike (0 ± its standard deviation; 1 strength alone, −1 phase alone): {machines}. A machine whose speed or strength wanders. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
-            ko: "불규칙 외력은 운동의 세기와 위상을 똑같이 바꾸는데(0 ± 표준편차, 세기만 변하면 1, 위상만 변하면 −1) 그렇지 않아 모드에서 제외하였다: {machines}. 회전수나 세기가 변하는 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+            en: "Left out, since random forces change the strength and the phase of a motion alike (0 ± its standard deviation; 1 strength alone, −1 phase alone): {machines}. A machine whose speed or strength wanders.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "불규칙 외력은 운동의 세기와 위상을 똑같이 바꾸는데(0 ± 표준편차, 세기만 변하면 1, 위상만 변하면 −1) 그렇지 않아 모드에서 제외하였다: {machines}. 회전수나 세기가 변하는 기계의 진동이다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         Wandering { machines: Vec<Sentence> } => {
             en: "Random forces change the strength and the phase of a motion alike (0 ± its standard deviation; 1 strength alone, −1 phase alone), but not at {machines}: a machine whose speed or strength wanders, not to be trusted as a mode; or a stiffness that follows the motion. Measure again while machines rest.",
             ko: "불규칙 외력은 운동의 세기와 위상을 똑같이 바꾸는데(0 ± 표준편차, 세기만 변하면 1, 위상만 변하면 −1) 다음은 그렇지 않다: {machines}. 회전수나 세기가 변하는 기계의 진동이면 모드로 신뢰할 수 없다. 강성이 진폭에 따라 변하여도 이렇게 나타난다. 기계가 멈춘 동안 다시 계측한다.",
         },
         InSpells { modes: Vec<Sentence>, first: Quantity } => {
-            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
-            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         InSpellsAndMore { modes: Vec<Sentence>, more: usize, first: Quantity } => {
-            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
-            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         Comb { fundamental: Quantity, at: Values, first: Quantity } => {
-            en: "Left out, since they are steadier than modes and lie at multiples of one frequency, {fundamental}: {at}. Steps that never pause, a bell or an engine; a mode among them is hidden. Measure again without them. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
-            ko: "모드보다 세기가 일정하고 한 진동수 {fundamental}의 배수에 있어 모드에서 제외하였다: {at}. 쉬지 않는 발걸음, 종, 엔진의 진동이며, 그 사이의 모드는 가려진다. 이런 진동이 없을 때 다시 계측한다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+            en: "Left out, since they are steadier than modes and lie at multiples of one frequency, {fundamental}: {at}. Steps that never pause, a bell or an engine; a mode among them is hidden. Measure again without them.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "모드보다 세기가 일정하고 한 진동수 {fundamental}의 배수에 있어 모드에서 제외하였다: {at}. 쉬지 않는 발걸음, 종, 엔진의 진동이며, 그 사이의 모드는 가려진다. 이런 진동이 없을 때 다시 계측한다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         Clipping { modes: Vec<Sentence>, first: Quantity } => {
-            en: "Left out, since the clipping of a channel makes them: {modes}. A clipped signal also contains sums and differences of the frequencies of the structure, and no other channel shows these. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
-            ko: "채널의 포화가 만든 것이므로 모드에서 제외하였다: {modes}. 포화된 신호에는 구조물 진동수의 합과 차도 나타나며, 다른 채널에는 없다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+            en: "Left out, since the clipping of a channel makes them: {modes}. A clipped signal also contains sums and differences of the frequencies of the structure, and no other channel shows these.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "채널의 포화가 만든 것이므로 모드에서 제외하였다: {modes}. 포화된 신호에는 구조물 진동수의 합과 차도 나타나며, 다른 채널에는 없다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         NoDamping { at: Values } => {
             en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
@@ -85,16 +85,16 @@ messages! {
         },
         Pair { low: Quantity, high: Quantity } => { en: "{low}–{high}", ko: "{low}–{high}" },
         FilteredAbove { passed: Quantity, asked: Quantity } => {
-            en: "Modes are sought up to {passed}, not to frequency_high_hz = {asked}: above it the filter cuts with which the record was brought to its rate; lower decimate_factor to see more.",
-            ko: "모드는 frequency_high_hz = {asked}이(가) 아니라 {passed}까지 탐색하였다. 그 위는 샘플링 주파수를 낮출 때 쓴 필터가 자르므로, 더 높은 모드를 보려면 decimate_factor를 줄여야 한다.",
+            en: "Modes are sought up to {passed}, not to «frequency_high_hz = {asked}|{asked} as asked»: above it the filter cuts with which the record was brought to its rate«; lower decimate_factor to see more».",
+            ko: "모드는 «frequency_high_hz = {asked}이(가)|요구한 {asked}이(가)» 아니라 {passed}까지 탐색하였다. 그 위는 샘플링 주파수를 낮출 때 쓴 필터가 «자르므로, 더 높은 모드를 보려면 decimate_factor를 줄여야 한다|자른다».",
         },
         Blends { blends: Vec<Sentence> } => {
             en: "Left out, since low orders alone show it and it is damped far above the modes: {blends}: several modes that this record does not tell apart; a longer record or more sensors may.",
             ko: "{blends}: 낮은 차수에서만 나타나고 감쇠비가 다른 모드보다 훨씬 크므로 제외하였다. 이 기록으로는 구별되지 않는 여러 모드가 합쳐진 것이며, 기록이 더 길거나 센서가 더 많으면 구별될 수 있다.",
         },
         InValleys { blends: Vec<Sentence> } => {
-            en: "Left out, since the spectrum has a valley there between two peaks: {blends}: two modes in one. More block rows (block_rows) or more sensors may tell them apart.",
-            ko: "{blends}: 스펙트럼의 두 봉우리 사이 골에 있으므로 제외하였다. 두 모드가 하나로 합쳐진 것이며, block_rows를 늘리거나 센서를 더하면 구별될 수 있다.",
+            en: "Left out, since the spectrum has a valley there between two peaks: {blends}: two modes in one. More block rows« (block_rows)» or more sensors may tell them apart.",
+            ko: "{blends}: 스펙트럼의 두 봉우리 사이 골에 있으므로 제외하였다. 두 모드가 하나로 합쳐진 것이며, «block_rows를|블록 행을» 늘리거나 센서를 더하면 구별될 수 있다.",
         },
         Blend { frequency: Quantity, damping: Quantity } => {
             en: "{frequency} (damping {damping})",
@@ -113,8 +113,8 @@ messages! {
             ko: "{at}에서 스펙트럼의 특이값 두 개가 함께 솟지만 모드는 하나만 찾았다. 가까운 두 모드일 수 있으며, 그렇다면 진동수, 감쇠비, 모드형상은 둘이 섞인 것이다. ssi-cov와 ssi-data가 가까운 모드를 구별한다.",
         },
         PeaksWithoutMode { peaks: Vec<Sentence>, first: Quantity } => {
-            en: "The spectrum has peaks that are no modes, each with the test that refused it: {peaks}. If you know one to be a mode, accept = [{first}] (its frequency, Hz) in the modal table of the record takes it, marked as accepted by you.",
-            ko: "스펙트럼에 모드로 보지 않은 피크가 있다. 괄호 안은 그 이유이다: {peaks}. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}](진동수, Hz)를 쓴다. 사용자가 채택한 모드로 표시된다.",
+            en: "The spectrum has peaks that are no modes, each with the test that refused it: {peaks}.« If you know one to be a mode, accept = [{first}] (its frequency, Hz) in the modal table of the record takes it, marked as accepted by you.»",
+            ko: "스펙트럼에 모드로 보지 않은 피크가 있다. 괄호 안은 그 이유이다: {peaks}. «모드임이 확실하면 기록의 modal 항목에 accept = [{first}](진동수, Hz)를 쓴다. 사용자가 채택한 모드로 표시된다.»",
         },
         PeaksUnsaid { peaks: Vec<Sentence> } => {
             en: "The spectrum has peaks that are no modes: {peaks}.",
@@ -129,12 +129,12 @@ messages! {
             ko: "{at} 모드는 판정 기준으로도 찾았으므로 accept가 필요하지 않다.",
         },
         NothingToAccept { asked: Quantity, within: Quantity } => {
-            en: "accept = [{asked}] takes nothing: within {within} no mode, no peak of the spectrum and no group of poles stands there. Correct it, or leave it out.",
-            ko: "accept = [{asked}]에 해당하는 것이 없다. ± {within} 안에 모드도 스펙트럼 피크도 극점군도 없다. 값을 고치거나 뺀다.",
+            en: "«accept = [{asked}] takes nothing|The mode asked for at {asked} is not taken»: within {within} no mode, no peak of the spectrum and no group of poles stands there.« Correct it, or leave it out.»",
+            ko: "«accept = [{asked}]에|지정한 {asked} Hz에» 해당하는 것이 없다. ± {within} 안에 모드도 스펙트럼 피크도 극점군도 없다.« 값을 고치거나 뺀다.»",
         },
         NothingToAcceptBut { asked: Quantity, within: Quantity, nearest: Values } => {
-            en: "accept = [{asked}] takes nothing: within {within} no mode, no peak of the spectrum and no group of poles stands there; the nearest are at {nearest}. Correct it, or leave it out.",
-            ko: "accept = [{asked}]에 해당하는 것이 없다. ± {within} 안에 모드도 스펙트럼 피크도 극점군도 없다. 가장 가까운 것은 {nearest}이다. 값을 고치거나 뺀다.",
+            en: "«accept = [{asked}] takes nothing|The mode asked for at {asked} is not taken»: within {within} no mode, no peak of the spectrum and no group of poles stands there; the nearest are at {nearest}.« Correct it, or leave it out.»",
+            ko: "«accept = [{asked}]에|지정한 {asked} Hz에» 해당하는 것이 없다. ± {within} 안에 모드도 스펙트럼 피크도 극점군도 없다. 가장 가까운 것은 {nearest}이다.« 값을 고치거나 뺀다.»",
         },
         NotPicked { at: Values } => {
             en: "Modes that were found and not picked: {at}.",

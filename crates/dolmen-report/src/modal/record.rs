@@ -70,8 +70,8 @@ messages! {
         },
         NoMode => { en: "No mode was found.", ko: "모드를 찾지 못하였다." },
         Explain { codes: Vec<String> } => {
-            en: "`dolmen explain` says more of: {codes}.",
-            ko: "자세한 설명은 `dolmen explain`으로 볼 수 있다: {codes}.",
+            en: "«`dolmen explain` says more of: {codes}.»",
+            ko: "«자세한 설명은 `dolmen explain`으로 볼 수 있다: {codes}.»",
         },
     }
 }

@@ -9,20 +9,20 @@ messages! {
     pub(crate) enum Refused in "modal.refused" {
         Unsaid { at: Quantity } => { en: "{at}", ko: "{at}" },
         NoPole { at: Quantity } => {
-            en: "{at} (no model has a pole there; order_most raises the highest order)",
-            ko: "{at}(어느 차수의 모델에도 극점이 없다. order_most로 최대 차수를 올릴 수 있다)",
+            en: "{at} (no model has a pole there«; order_most raises the highest order»)",
+            ko: "{at}(어느 차수의 모델에도 극점이 없다«. order_most로 최대 차수를 올릴 수 있다»)",
         },
         OutOfRange { at: Quantity, low: Quantity, high: Quantity } => {
-            en: "{at} (outside of {low} to {high}; frequency_low_hz and frequency_high_hz set the range)",
-            ko: "{at}(탐색 범위 {low}–{high} 밖이다. 범위는 frequency_low_hz, frequency_high_hz로 정한다)",
+            en: "{at} (outside of {low} to {high}«; frequency_low_hz and frequency_high_hz set the range»)",
+            ko: "{at}(탐색 범위 {low}–{high} 밖이다«. 범위는 frequency_low_hz, frequency_high_hz로 정한다»)",
         },
         TooLight { at: Quantity, damping: Quantity, least: Quantity } => {
-            en: "{at} (damping ratio {damping}, below {least}; damping_least lowers the bound)",
-            ko: "{at}(감쇠비 {damping}이(가) 하한 {least}보다 작다. damping_least로 하한을 낮출 수 있다)",
+            en: "{at} (damping ratio {damping}, below {least}«; damping_least lowers the bound»)",
+            ko: "{at}(감쇠비 {damping}이(가) 하한 {least}보다 작다«. damping_least로 하한을 낮출 수 있다»)",
         },
         TooHeavy { at: Quantity, damping: Quantity, most: Quantity } => {
-            en: "{at} (damping ratio {damping}, above {most}; damping_most raises the bound)",
-            ko: "{at}(감쇠비 {damping}이(가) 상한 {most}보다 크다. damping_most로 상한을 올릴 수 있다)",
+            en: "{at} (damping ratio {damping}, above {most}«; damping_most raises the bound»)",
+            ko: "{at}(감쇠비 {damping}이(가) 상한 {most}보다 크다«. damping_most로 상한을 올릴 수 있다»)",
         },
         Complex { at: Quantity, found: Quantity, least: Quantity } => {
             en: "{at} (its channels do not move in or against phase: collinearity {found}, at least {least} is asked)",
@@ -33,8 +33,8 @@ messages! {
             ko: "{at}(진동수의 산포가 기록 길이로 설명되는 값의 {found}배이다. 상한 {most}배. 기록이 더 길면 나아진다)",
         },
         FewOrders { at: Quantity, orders: usize, wanted: usize } => {
-            en: "{at} (model orders that show it: {orders}, at least {wanted} are asked; order_most raises the highest order)",
-            ko: "{at}(나타나는 모델 차수가 {orders}개로 하한 {wanted}개보다 적다. order_most로 최대 차수를 올릴 수 있다)",
+            en: "{at} (model orders that show it: {orders}, at least {wanted} are asked«; order_most raises the highest order»)",
+            ko: "{at}(나타나는 모델 차수가 {orders}개로 하한 {wanted}개보다 적다«. order_most로 최대 차수를 올릴 수 있다»)",
         },
         SplitsOff { at: Quantity } => { en: "{at} (part of another mode)", ko: "{at}(다른 모드의 일부)" },
         Blend { at: Quantity, damping: Quantity } => {
@@ -42,8 +42,8 @@ messages! {
             ko: "{at}(여러 모드가 합쳐진 것, 감쇠비 {damping})",
         },
         Narrow { at: Quantity, least: Quantity } => {
-            en: "{at} (narrower or steadier than a mode with a damping ratio of {least}; damping_least lowers the bound)",
-            ko: "{at}(감쇠비 {least}인 모드보다 폭이 좁거나 세기가 일정하다. damping_least로 하한을 낮출 수 있다)",
+            en: "{at} (narrower or steadier than a mode with a damping ratio of {least}«; damping_least lowers the bound»)",
+            ko: "{at}(감쇠비 {least}인 모드보다 폭이 좁거나 세기가 일정하다«. damping_least로 하한을 낮출 수 있다»)",
         },
         InSpells { at: Quantity } => {
             en: "{at} (nothing stands there while the structure is quiet)",

@@ -36,12 +36,8 @@ messages! {
 
 /// The variant by its title, or by its name in the file; `None` for the structure as it is.
 pub(crate) fn version_name(variant: Option<&str>, title: Option<&Names>) -> Option<Sentence> {
-    let name = |english: &str, korean: &str| Sentence {
-        id: "name".to_owned(),
-        arguments: Vec::new(),
-        english: vec![Run::Name(english.to_owned())],
-        korean: vec![Run::Name(korean.to_owned())],
-    };
+    let run = |name: &str| vec![Run::Name(name.to_owned())];
+    let name = |english, korean| Sentence::of_runs("name", run(english), run(korean));
     match title {
         Some(title) => Some(name(title.english(), title.korean())),
         None => variant.map(|variant| name(variant, variant)),

@@ -8,12 +8,12 @@ messages! {
     /// Histories without damping.
     pub(crate) enum NoDamping in "simulated.undamped" {
         Zero => {
-            en: "Without damping: no damping ratio is given, and 0 % was taken, so that it swings more and longer than it would. Give damping_ratio; stone poles and timber frames have 1 to 5 %.",
-            ko: "무감쇠 해석: 감쇠비가 주어지지 않아 0 %로 계산하였으므로 실제보다 크고 오래 흔들린다. damping_ratio를 준다. 석조 당간과 목조 골조는 1~5 %이다.",
+            en: "Without damping: no damping ratio is given, and 0 % was taken, so that it swings more and longer than it would. «Give damping_ratio; stone|Stone» poles and timber frames have 1 to 5 %.",
+            ko: "무감쇠 해석: 감쇠비가 주어지지 않아 0 %로 계산하였으므로 실제보다 크고 오래 흔들린다. «damping_ratio를 준다. »석조 당간과 목조 골조는 1~5 %이다.",
         },
         Identified { survey: String, ratio: Quantity } => {
-            en: "Without damping: no damping ratio is given, and 0 % was taken, so that it swings more and longer than it would. Survey {survey} identified {ratio}. Write damping_ratio = \"{ratio}\".",
-            ko: "무감쇠 해석: 감쇠비가 주어지지 않아 0 %로 계산하였으므로 실제보다 크고 오래 흔들린다. {survey} 조사의 감쇠비는 {ratio}이다. damping_ratio = \"{ratio}\"로 준다.",
+            en: "Without damping: no damping ratio is given, and 0 % was taken, so that it swings more and longer than it would. Survey {survey} identified {ratio}.« Write damping_ratio = \"{ratio}\".»",
+            ko: "무감쇠 해석: 감쇠비가 주어지지 않아 0 %로 계산하였으므로 실제보다 크고 오래 흔들린다. {survey} 조사의 감쇠비는 {ratio}이다.« damping_ratio = \"{ratio}\"로 준다.»",
         },
     }
 }

@@ -127,17 +127,18 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::SliversLeftOut { width_m, .. } if *width_m > GAP_CLOSED_M => {
             Finding::key(Tone::Warn, said)
         }
+        // what the file gives and the numbers do not count
+        StackNote::SideSupportsLeftOut | StackNote::TensionLeftOut | StackNote::TiesLeftOut => {
+            Finding::key(Tone::Warn, said)
+        }
         StackNote::SharedLoad
         | StackNote::SliversLeftOut { .. }
         | StackNote::LoadsWithoutMass { .. }
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
         | StackNote::StrengthFromInside
-        | StackNote::SideSupportsLeftOut
-        | StackNote::TensionLeftOut
         | StackNote::KineticLess { .. }
         | StackNote::KineticShared { .. }
-        | StackNote::TiesLeftOut
         | StackNote::PeriodUnknown => Finding::new(Tone::Warn, said),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::words::{DIGITS, direction, in_g, moves_together, place};
 use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
-use dolmen::assess::StackCheck;
+use dolmen::assess::{StackCheck, StackNote};
 use dolmen::stability::stack::{CutLimits, Threshold};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
@@ -24,9 +24,11 @@ messages! {
         Margin => { en: "margin", ko: "여유도" },
         RocksAt => { en: "rocks at", ko: "로킹" },
         SlidesAt => { en: "slides at", ko: "미끄러짐" },
+        TiedRocksAt => { en: "with ties: rocks at", ko: "연결재 포함: 로킹" },
+        TiedSlidesAt => { en: "slides at", ko: "미끄러짐" },
         Together => { en: "several stones together (limit analysis)", ko: "여러 부재가 함께 (한계해석)" },
         Meaning => {
-            en: "The margin is what is left, without shaking, of the way from the middle of the joint to its edge, or of friction. Rocks to and slides to give the direction in which the part moves; the ground then accelerates the other way. z is the height of the joint, p the mean pressure on it.",
+            en: "The margin is what is left, without shaking, of the way from the middle of the joint to its edge, or of friction. Rocks to and slides to give the direction in which the part moves; the ground then accelerates the other way. z is the height of the joint, p the mean pressure of weight and static loads on it.",
             ko: "여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 방향은 접합면 상부가 움직이는 방향이며, 지반 가속도는 그 반대 방향이다. z는 접합면의 높이, p는 접합면의 평균 압력이다.",
         },
         FirstMotion => {
@@ -64,6 +66,22 @@ pub(super) fn series(check: &StackCheck) -> Vec<Series> {
 fn table(check: &StackCheck) -> Table {
     let mut rows: Vec<Vec<Cell>> = check.limits.cuts.iter().map(row).collect();
     rows.extend(moves_together(check).map(|together| together_row(&together)));
+    let mut with_ties = Vec::new();
+    if check.notes.contains(&StackNote::TiesLeftOut) {
+        with_ties.extend(
+            [Limits::TiedRocksAt, Limits::TiedSlidesAt].map(|head| Column::numbers(head, Unit::si("g"))),
+        );
+        for (at, row) in rows.iter_mut().enumerate() {
+            let cut = check.limits.cuts.get(at);
+            let of_cut = |of: fn(&CutLimits) -> Option<Threshold>| {
+                Cell::Number(cut.and_then(of).map(|of| in_g(of.acceleration_g)))
+            };
+            row.extend([
+                of_cut(|cut| cut.uplift_with_ties),
+                of_cut(|cut| cut.sliding_with_ties),
+            ]);
+        }
+    }
     let unit = |symbol: &str, factor: f64| Unit {
         symbol: symbol.to_owned(),
         factor,
@@ -81,7 +99,10 @@ fn table(check: &StackCheck) -> Table {
             Column::numbers(Limits::Margin, Unit::ratio()),
             Column::numbers(Limits::RocksAt, unit("g", 1.0)),
             Column::numbers(Limits::SlidesAt, unit("g", 1.0)),
-        ],
+        ]
+        .into_iter()
+        .chain(with_ties)
+        .collect(),
         rows,
     }
 }
@@ -106,7 +127,7 @@ fn row(cut: &CutLimits) -> Vec<Cell> {
         Cell::number(Quantity::new(cut.origin_m[2], Unit::si("m"), Digits::Fixed(3))),
         kilo(cut.weight_n, Digits::Significant(4)),
         Cell::number(Quantity::new(area_m2, Unit::si("m²"), Digits::Significant(4))),
-        kilo(cut.weight_n / area_m2, Digits::Significant(DIGITS)),
+        kilo(cut.normal_n / area_m2, Digits::Significant(DIGITS)),
         match cut.standing.stands() {
             true => Cell::number(margin),
             false => Cell::Bad(margin),

@@ -31,8 +31,8 @@ messages! {
             ko: "α0은 움직이기 시작하는 가속도의 중력가속도비, a0* = α0 g/(e* FC)(FC = 1.35), d0*는 전도할 때까지의 진동계 변위, d_SLV = 0.4 d0*, T_SLV는 변위 검토용 주기이다. 지반은 힘에 의한 검토가 허용하는 최대지반가속도 2 a0*로, 기준의 계수 q = 2를 적용한 값이며 거동 시작 가속도가 아니다.",
         },
         LeftOut => {
-            en: "It stands beside the dynamic answer (`dolmen simulate`) and decides nothing. The formulas have not been held against the text of the code; the amplification that it asks for of parts at a height is left out. What slides has no check, and several parts that move against each other no d0*. α0 lets sliding joints rise, so it is an upper bound where they slide. Of mechanisms with the same α0 the part that slides as one is taken; if there is none, another may have a larger e* and a smaller a0*.",
-            ko: "동적 해석(`dolmen simulate`)과 나란히 제시하는 값이며 판정에 쓰지 않는다. 식은 기준 원문과 대조하지 않았고, 높은 곳에 있는 부분에 대한 기준의 증폭은 반영하지 않았다. 미끄러지는 부분은 검토하지 않으며, 여러 강체가 서로 다르게 움직이는 경우에는 d0*를 구하지 않는다. α0은 미끄러지는 접합면이 들리는 것을 허용하므로 미끄러지는 경우에는 상한이다. α0이 같은 메커니즘 중에서는 하나의 강체로 미끄러지는 것을 택하며, 없으면 e*가 더 크고 a0*가 더 작은 다른 메커니즘이 있을 수 있다.",
+            en: "It stands beside the dynamic answer« (`dolmen simulate`)» and decides nothing. The formulas have not been held against the text of the code; the amplification that it asks for of parts at a height is left out. What slides has no check, and several parts that move against each other no d0*. α0 lets sliding joints rise, so it is an upper bound where they slide. Of mechanisms with the same α0 the part that slides as one is taken; if there is none, another may have a larger e* and a smaller a0*.",
+            ko: "동적 해석«(`dolmen simulate`)»과 나란히 제시하는 값이며 판정에 쓰지 않는다. 식은 기준 원문과 대조하지 않았고, 높은 곳에 있는 부분에 대한 기준의 증폭은 반영하지 않았다. 미끄러지는 부분은 검토하지 않으며, 여러 강체가 서로 다르게 움직이는 경우에는 d0*를 구하지 않는다. α0은 미끄러지는 접합면이 들리는 것을 허용하므로 미끄러지는 경우에는 상한이다. α0이 같은 메커니즘 중에서는 하나의 강체로 미끄러지는 것을 택하며, 없으면 e*가 더 크고 a0*가 더 작은 다른 메커니즘이 있을 수 있다.",
         },
     }
 }

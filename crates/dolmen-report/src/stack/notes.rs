@@ -34,12 +34,12 @@ messages! {
             ko: "정하중은 석재를 누르나 지진 시 질량이 없다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
         },
         LoadsHold { with: Quantity, without: Quantity } => {
-            en: "Static loads press on stones and have no mass in an earthquake. With them it begins to move at {with}, without them at {without}: the demand of the site is held against the worse of both. What rests on the stones and shakes with them is a block of its own.",
-            ko: "정하중은 석재를 누르나 지진 시 질량이 없다. 정하중이 있으면 {with}에서, 없으면 {without}에서 움직이기 시작하므로 부지의 요구는 둘 중 불리한 쪽으로 판정하였다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
+            en: "Static loads press on stones and have no mass in an earthquake. With all of them it begins to move at {with}, without those that hold it at {without}: the demand of the site is held against the worse of both. What rests on the stones and shakes with them is a block of its own.",
+            ko: "정하중은 석재를 누르나 지진 시 질량이 없다. 모든 정하중이 있으면 {with}에서, 안정에 기여하는 정하중이 없으면 {without}에서 움직이기 시작하므로 부지의 요구는 둘 중 불리한 쪽으로 판정하였다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
         },
         LoadsHoldUp => {
-            en: "Static loads press on stones and have no mass in an earthquake, and without them it does not stand. What rests on the stones and shakes with them is a block of its own.",
-            ko: "정하중은 석재를 누르나 지진 시 질량이 없으며, 정하중이 없으면 서 있지 못한다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
+            en: "Static loads press on stones and have no mass in an earthquake, and without those that hold it up it does not stand. What rests on the stones and shakes with them is a block of its own.",
+            ko: "정하중은 석재를 누르나 지진 시 질량이 없으며, 안정에 기여하는 정하중이 없으면 서 있지 못한다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
         },
         FrictionCarries => {
             en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",
@@ -126,8 +126,8 @@ messages! {
             ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 자중과 평형을 이루는 힘이 없어 서 있지 못하므로 판정은 '여유 부족'을 넘지 않는다.",
         },
         NoTies => {
-            en: "Ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand beside it.",
-            ko: "연결재는 거동 시작 가속도에 포함하지 않았으며(안전측), 강도까지 작용할 때의 값을 함께 제시한다.",
+            en: "Ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand in the table of the joints.",
+            ko: "연결재는 거동 시작 가속도에 포함하지 않았으며(안전측), 강도까지 작용할 때의 값은 접합면별 한계 표에 있다.",
         },
         NoPeriod => {
             en: "The first period is not known, so what elastic joints add to the shaking is not in the comparison.",

@@ -24,12 +24,12 @@ messages! {
         Up { by: Quantity } => { en: "{by} up", ko: "위로 {by}" },
         Down { by: Quantity } => { en: "{by} down", ko: "아래로 {by}" },
         StandsUpTo { movements: Sentence, factor: Quantity, length: Quantity } => {
-            en: "Supports that move: {movements}. It stands under that, and up to {factor} times as much ({length}); beyond, no forces in the joints balance the weight. Stones that slide or meet anew are not followed: `dolmen simulate` follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
-            ko: "지점 변위: {movements}. 이 변위에서 서 있으며 그 {factor}배({length})까지 서 있다. 그 이상에서는 자중과 평형을 이루는 접합력이 존재하지 않는다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 `dolmen simulate`의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
+            en: "Supports that move: {movements}. It stands under that, and up to {factor} times as much ({length}); beyond, no forces in the joints balance the weight. Stones that slide or meet anew are not followed: «`dolmen simulate`|a simulation in time» follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
+            ko: "지점 변위: {movements}. 이 변위에서 서 있으며 그 {factor}배({length})까지 서 있다. 그 이상에서는 자중과 평형을 이루는 접합력이 존재하지 않는다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 «`dolmen simulate`|지진응답 검토»의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
         },
         StandsBeyond { movements: Sentence, factor: Quantity, length: Quantity } => {
-            en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood. Stones that slide or meet anew are not followed: `dolmen simulate` follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
-            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 안정을 유지하였다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 `dolmen simulate`의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
+            en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood. Stones that slide or meet anew are not followed: «`dolmen simulate`|a simulation in time» follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
+            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 안정을 유지하였다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 «`dolmen simulate`|지진응답 검토»의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
         },
         FallsBefore { movements: Sentence, factor: Quantity, length: Quantity } => {
             en: "Supports that move: {movements}. It does not stand under that: beyond {factor} of it ({length}) no forces in the joints balance the weight.",

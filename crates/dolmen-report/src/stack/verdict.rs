@@ -5,7 +5,7 @@ use super::standing::standing;
 use super::words::{DIGITS, at, in_g, known_g, margin};
 use dolmen::assess::{MARGINAL_BELOW_G, StackNote};
 use dolmen::stability::Verdict;
-use dolmen::stability::stack::{LimitAnalysisStatus, Standing};
+use dolmen::stability::stack::{LimitAnalysisStatus, Standing, Threshold};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::StackAnswer;
 
@@ -22,21 +22,24 @@ messages! {
         },
         Weight => { en: "the weight", ko: "자중" },
         WeightAndLoads => { en: "the weight and the static loads", ko: "자중·정하중" },
-        Admissible { what: Sentence, at: Sentence, tilt: Quantity } => {
-            en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
-            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다(한계해석). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
+        OrTilt { tilt: Quantity } => { en: ", or on ground that tilts by {tilt}", ko: " 또는 지반 기울기 {tilt}" },
+        AsTilt { tilt: Quantity } => { en: " (a tilt of the ground of {tilt})", ko: "(지반 기울기 {tilt})" },
+        Loaded => { en: "", ko: "" },
+        Admissible { what: Sentence, at: Sentence, tilt: Sentence } => {
+            en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal{tilt}.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다(한계해석). 수평 가속도 {at}{tilt}에서 움직이기 시작한다.",
         },
-        AdmissibleBetween { what: Sentence, at: Sentence, most: Quantity, tilt: Quantity } => {
-            en: "Forces in the joints can balance {what}. It begins to move between {at} and {most} horizontal, by how its joints are pressed; {at} counts, or ground that tilts by {tilt}.",
-            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 접합면이 눌린 상태에 따라 수평 가속도 {at}~{most}에서 움직이기 시작하며, {at}을(를) 기준으로 판정한다(지반 기울기 {tilt}).",
+        AdmissibleBetween { what: Sentence, at: Sentence, most: Quantity, tilt: Sentence } => {
+            en: "Forces in the joints can balance {what}. It begins to move between {at} and {most} horizontal, by how its joints are pressed; {at} counts{tilt}.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 접합면이 눌린 상태에 따라 수평 가속도 {at}~{most}에서 움직이기 시작하며, {at}을(를) 기준으로 판정한다{tilt}.",
         },
-        AdmissibleAtMost { what: Sentence, at: Sentence, tilt: Quantity } => {
-            en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less: an upper bound.",
-            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 움직이기 시작하는 수평 가속도는 {at} 이하, 지반 기울기는 {tilt} 이하이다(상한값).",
+        AdmissibleAtMost { what: Sentence, at: Sentence, tilt: Sentence } => {
+            en: "Forces in the joints can balance {what}. It begins to move at {at} horizontal{tilt}, or less: an upper bound.",
+            ko: "{what}와(과) 평형을 이루는 접합력이 존재한다. 수평 가속도 {at}{tilt} 또는 그 이하에서 움직이기 시작한다(상한값).",
         },
-        IfFriction { what: Sentence, at: Sentence, tilt: Quantity } => {
-            en: "Forces in the joints can balance {what}, but friction would have to hold it at rest. Only if it does, it begins to move at {at} horizontal or less, or on ground that tilts by {tilt} or less.",
-            ko: "{what}와(과) 평형을 이루는 접합력은 존재하나 마찰이 지탱하여야 한다. 마찰이 지탱하는 경우에만 움직이기 시작하는 수평 가속도는 {at} 이하, 지반 기울기는 {tilt} 이하이다.",
+        IfFriction { what: Sentence, at: Sentence, tilt: Sentence } => {
+            en: "Forces in the joints can balance {what}, but friction would have to hold it at rest. Only if it does, it begins to move at {at} horizontal{tilt}, or less.",
+            ko: "{what}와(과) 평형을 이루는 접합력은 존재하나 마찰이 지탱하여야 한다. 마찰이 지탱하는 경우에만 수평 가속도 {at}{tilt} 또는 그 이하에서 움직이기 시작한다.",
         },
         FallsTogether { what: Sentence, moving: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}; {moving}.",
@@ -73,18 +76,19 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
             Some(moving) => Judged::FallsTogether { what, moving },
             None => Judged::FallsSomehow { what },
         },
-        // a tilt is equivalent to a horizontal acceleration of g times its tangent
         (Standing::Stands, Some(capacity)) if !limits.statically_determinate => {
-            let degrees = known_g(capacity.acceleration_g).atan().to_degrees();
-            let tilt = Quantity::new(degrees, Unit::si("°"), Digits::Significant(DIGITS));
             let at = at(capacity);
+            let tilt = self::tilt(answer, capacity, |tilt| Judged::OrTilt { tilt });
             let notes = &answer.check.notes;
             let is_bound = notes.iter().any(|note| matches!(note, StackNote::UpperBound));
             match is_bound {
                 _ if notes.iter().any(is_in_doubt) => Judged::IfFriction { what, at, tilt },
                 true => Judged::AdmissibleAtMost { what, at, tilt },
                 false => match notes.iter().find_map(dilating) {
-                    Some(most) => Judged::AdmissibleBetween { what, at, most, tilt },
+                    Some(most) => {
+                        let tilt = self::tilt(answer, capacity, |tilt| Judged::AsTilt { tilt });
+                        Judged::AdmissibleBetween { what, at, most, tilt }
+                    }
                     None => Judged::Admissible { what, at, tilt },
                 },
             }
@@ -97,6 +101,16 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
         (falls, _) => Judged::Falls { why: standing(falls) },
     };
     said.into()
+}
+
+/// A tilt of the ground that is equivalent to an acceleration: its tangent times g. Static loads lean with the weight when the ground tilts, but
+/// are not shaken, so with them there is none.
+fn tilt(answer: &StackAnswer, capacity: &Threshold, said: fn(Quantity) -> Judged) -> Sentence {
+    if !answer.stack.static_loads().is_empty() {
+        return Judged::Loaded.into();
+    }
+    let degrees = known_g(capacity.acceleration_g).atan().to_degrees();
+    said(Quantity::new(degrees, Unit::si("°"), Digits::Significant(DIGITS))).into()
 }
 
 /// The acceleration that friction with dilation would hold, if a note gives it.

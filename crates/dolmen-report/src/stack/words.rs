@@ -180,14 +180,8 @@ pub(super) fn verdict_word(verdict: Verdict) -> Words {
 
 /// The user's name of a variant in each language.
 pub(super) fn title(variant: &VariantAnswer) -> Sentence {
-    let named = |english: &str, korean: &str| Sentence {
-        english: vec![Run::Name(english.to_owned())],
-        korean: vec![Run::Name(korean.to_owned())],
-        ..Words::Name {
-            name: english.to_owned(),
-        }
-        .into()
-    };
+    let run = |name: &str| vec![Run::Name(name.to_owned())];
+    let named = |english, korean| Sentence::of_runs("name", run(english), run(korean));
     match &variant.title {
         Some(names) => named(names.english(), names.korean()),
         None => named(&variant.name, &variant.name),

@@ -26,8 +26,8 @@ messages! {
             ko: "입력한 정하중은 계수 없이 전 시간 동안 작용하며 질량은 없다.",
         },
         TiltLeftOut { survey: String, tilt: String } => {
-            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. Give the stones as they lean (`tilt`, `offset`, `points`).",
-            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 부재를 기울어진 대로 입력한다(`tilt`, `offset`, `points`).",
+            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. Give the stones as they lean« (`tilt`, `offset`, `points`)».",
+            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 부재를 기울어진 대로 입력한다«(`tilt`, `offset`, `points`)».",
         },
         GapsOpen { widest: Sentence, joints: usize } => {
             en: "Joints drawn with a gap start open: {widest}, the widest of {joints}.",

@@ -19,12 +19,12 @@ messages! {
             ko: "결과가 실측되지 않은 접합면 강성에 따라 달라진다. 가정한 강성의 접촉 스프링 해석은 DS{springs}, 강체 접촉 해석은 DS{rigid}이며 나쁜 쪽으로 판정한다. 고유진동수를 실측하면 어느 쪽에 가까운지 알 수 있다.",
         },
         DifferMeasured { springs: usize, rigid: usize, survey: String } => {
-            en: "The outcome depends on the stiffness of the joints: DS{springs} with springs of the stiffness of the file, DS{rigid} with rigid joints. The worse one counts. `dolmen identify` says which stiffness the frequencies of survey {survey} ask for; put it into the model.",
-            ko: "결과가 접합면 강성에 따라 달라진다. 파일의 강성을 쓴 접촉 스프링 해석은 DS{springs}, 강체 접촉 해석은 DS{rigid}이며 나쁜 쪽으로 판정한다. {survey} 조사의 고유진동수에 맞는 강성을 `dolmen identify`로 구하여 모델에 입력한다.",
+            en: "The outcome depends on the stiffness of the joints: DS{springs} with springs of the stiffness of the file, DS{rigid} with rigid joints. The worse one counts. «`dolmen identify`|The identification from vibration» says which stiffness the frequencies of survey {survey} ask for; put it into the model.",
+            ko: "결과가 접합면 강성에 따라 달라진다. 파일의 강성을 쓴 접촉 스프링 해석은 DS{springs}, 강체 접촉 해석은 DS{rigid}이며 나쁜 쪽으로 판정한다. {survey} 조사의 고유진동수에 맞는 강성을 «`dolmen identify`|진동 평가»로 구하여 모델에 입력한다.",
         },
         TooLong { updates: Quantity, most: Quantity } => {
-            en: "Joint stiffness is assumed, and rigid joints were not tried beside it: with so many stones that is slow, about {updates} updates of contact points, beyond {most}. It can be asked for all the same (--law both).",
-            ko: "접합면 강성은 가정값이나 강체 접촉 해석은 함께 하지 않았다. 부재가 많아 접촉점 갱신이 약 {updates}회로 한도 {most}회를 넘어 오래 걸린다. 필요하면 지정하여 함께 해석할 수 있다(--law both).",
+            en: "Joint stiffness is assumed, and rigid joints were not tried beside it: with so many stones that is slow, about {updates} updates of contact points, beyond {most}. It can be asked for all the same« (--law both)».",
+            ko: "접합면 강성은 가정값이나 강체 접촉 해석은 함께 하지 않았다. 부재가 많아 접촉점 갱신이 약 {updates}회로 한도 {most}회를 넘어 오래 걸린다. 필요하면 지정하여 함께 해석할 수 있다«(--law both)».",
         },
         Refused { why: String } => {
             en: "Joint stiffness is assumed, and rigid joints could not be tried beside it: {why}",

@@ -40,16 +40,16 @@ messages! {
             ko: "접촉에서 생겨난 에너지가 지반이 한 일의 최댓값의 {made}(으)로 허용값 {limit}을(를) 넘는다. 이 해석 결과는 쓰지 말고 시간 간격을 반으로 줄여 다시 해석한다.",
         },
         RestitutionUnused => {
-            en: "rocking_restitution is not used by contact springs, whose rocking loses what their stiffness and damping_ratio make of it; rigid joints use it.",
-            ko: "로킹 반발계수(rocking_restitution)는 접촉 스프링 해석에 쓰이지 않는다. 로킹의 에너지 손실은 접촉 스프링의 강성과 damping_ratio에 따르며, 로킹 반발계수는 강체 접촉 해석에서 쓰인다.",
+            en: "«rocking_restitution|The rocking restitution» is not used by contact springs, whose rocking loses what their stiffness and «damping_ratio|damping» make of it; rigid joints use it.",
+            ko: "로킹 반발계수«(rocking_restitution)»는 접촉 스프링 해석에 쓰이지 않는다. 로킹의 에너지 손실은 접촉 스프링의 강성과 «damping_ratio|감쇠비»에 따르며, 로킹 반발계수는 강체 접촉 해석에서 쓰인다.",
         },
         SoilLeftOut => {
             en: "The soil is in the springs, not in the rigid law, whose ground gives nothing.",
             ko: "지반(soil)은 접촉 스프링 해석에만 반영되며, 강체 접촉 해석에서는 지반이 변형하지 않는 것으로 본다.",
         },
         RocksOnMore { upper: String, given: Quantity, edge: Quantity } => {
-            en: "rocking_restitution {given} below '{upper}' is more than the {edge} that an impact at the far edge leaves a stone so slender (Housner): only a measurement can tell.",
-            ko: "‘{upper}’ 하부 접합면의 rocking_restitution {given}은(는) 이만한 세장비의 부재가 반대쪽 모서리에 부딪힐 때 남는 값 {edge}(Housner)보다 크다. 실측값일 때만 쓴다.",
+            en: "«rocking_restitution|A rocking restitution of» {given} below '{upper}' is more than the {edge} that an impact at the far edge leaves a stone so slender (Housner): only a measurement can tell.",
+            ko: "‘{upper}’ 하부 접합면의 «rocking_restitution|로킹 반발계수» {given}은(는) 이만한 세장비의 부재가 반대쪽 모서리에 부딪힐 때 남는 값 {edge}(Housner)보다 크다. 실측값일 때만 쓴다.",
         },
         OneCase => {
             en: "A stack that rocks is sensitive to every input: one run is one case, not a probability.",

@@ -45,8 +45,8 @@ messages! {
             ko: "{length} 뒤에도 ‘{block}’이(가) 멈추지 않아 판정하지 않는다.",
         },
         Sank { block: String } => {
-            en: "'{block}' overlaps what it lies on by more than 5 mm at the end: there is no verdict. Draw the stones closer to where they lie; for springs, also leave normal_stiffness out.",
-            ko: "끝에서 ‘{block}’이(가) 받치는 것과 5 mm 넘게 겹쳐 판정하지 않는다. 돌을 실제 놓인 자리에 더 가깝게 입력한다. 접촉 스프링 해석에서는 normal_stiffness도 삭제한다.",
+            en: "'{block}' overlaps what it lies on by more than 5 mm at the end: there is no verdict. Draw the stones closer to where they lie«; for springs, also leave normal_stiffness out».",
+            ko: "끝에서 ‘{block}’이(가) 받치는 것과 5 mm 넘게 겹쳐 판정하지 않는다. 돌을 실제 놓인 자리에 더 가깝게 입력한다.« 접촉 스프링 해석에서는 normal_stiffness도 삭제한다.»",
         },
         Lost { length: Quantity } => {
             en: "the run could not be used from {length} on: take the other law, or half the step.",

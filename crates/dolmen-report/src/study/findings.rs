@@ -32,8 +32,8 @@ messages! {
             ko: "{variant} {largest}까지 도달하지 않음",
         },
         Undamped => {
-            en: "Computed with 0 % damping: neither a damping ratio nor friction is given, so that it swings more and longer than it would. Give damping_ratio; stone poles and timber frames have 1 to 5 %.",
-            ko: "감쇠비 0 %로 해석하였다. 감쇠비와 마찰이 주어지지 않아 실제보다 크고 오래 흔들린다. damping_ratio를 준다. 석조 당간과 목조 골조는 1~5 %이다.",
+            en: "Computed with 0 % damping: neither a damping ratio nor friction is given, so that it swings more and longer than it would. «Give damping_ratio; stone|Stone» poles and timber frames have 1 to 5 %.",
+            ko: "감쇠비 0 %로 해석하였다. 감쇠비와 마찰이 주어지지 않아 실제보다 크고 오래 흔들린다. «damping_ratio를 준다. »석조 당간과 목조 골조는 1~5 %이다.",
         },
         NoneFell { scans: Sentence, state: Sentence, largest: Quantity } => {
             en: "None of {scans} reached “{state}”, up to {largest}.",
@@ -64,20 +64,20 @@ messages! {
             ko: "자중으로 붕괴하는 {share}에는 유한한 연간 초과율이 없다. 연간 초과율은 서 있는 표본의 값이고 50년 확률은 전체의 값이다.",
         },
         DriftBeyond { beyond: usize, scans: Sentence, limit: Quantity, least: Quantity } => {
-            en: "{beyond} of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), the weakest at {least}.",
-            ko: "{scans} 중 {beyond}건이 파일에서 정한 허용 층간변위 {limit}([limits])을(를) 넘었으며, 그 최소 가속도는 {least}이다.",
+            en: "{beyond} of {scans} drifted beyond the allowable {limit} of a storey that the file sets« ([limits])», the weakest at {least}.",
+            ko: "{scans} 중 {beyond}건이 파일에서 정한 허용 층간변위 {limit}«([limits])»을(를) 넘었으며, 그 최소 가속도는 {least}이다.",
         },
         DriftWithin { scans: Sentence, limit: Quantity, largest: Quantity } => {
-            en: "None of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), up to {largest}.",
-            ko: "{scans} 모두 {largest}까지 파일에서 정한 허용 층간변위 {limit}([limits]) 이내이다.",
+            en: "None of {scans} drifted beyond the allowable {limit} of a storey that the file sets« ([limits])», up to {largest}.",
+            ko: "{scans} 모두 {largest}까지 파일에서 정한 허용 층간변위 {limit}«([limits])» 이내이다.",
         },
         LeansBeyond { leans: usize, scans: Sentence, limit: Quantity, most: Quantity } => {
-            en: "{leans} of {scans} lean beyond the allowable {limit} of a storey that the file sets ([limits]) without any shaking, by up to {most}: the lean as surveyed, and what the weight adds to it. They count as having reached it without shaking (p₀).",
-            ko: "{scans} 중 {leans}건은 조사한 기울기와 자중에 의한 증가분만으로 지진 없이 이미 파일에서 정한 허용 층간변위 {limit}([limits])을(를) 넘으며, 최대 {most}이다. 지진이 없을 때 도달한 것(p₀)으로 센다.",
+            en: "{leans} of {scans} lean beyond the allowable {limit} of a storey that the file sets« ([limits])» without any shaking, by up to {most}: the lean as surveyed, and what the weight adds to it. They count as having reached it without shaking (p₀).",
+            ko: "{scans} 중 {leans}건은 조사한 기울기와 자중에 의한 증가분만으로 지진 없이 이미 파일에서 정한 허용 층간변위 {limit}«([limits])»을(를) 넘으며, 최대 {most}이다. 지진이 없을 때 도달한 것(p₀)으로 센다.",
         },
         LeansOrFalls { both: usize, scans: Sentence, limit: Quantity, leans: usize, most: Quantity, falls: usize } => {
-            en: "{both} of {scans} are beyond the allowable {limit} of a storey that the file sets ([limits]) without any shaking: {leans} lean by up to {most}, the lean as surveyed and what the weight adds to it, and {falls} fall. They count as having reached it without shaking (p₀).",
-            ko: "{scans} 중 {both}건은 지진 없이 이미 파일에서 정한 허용 층간변위 {limit}([limits])을(를) 넘는다. {leans}건은 조사한 기울기와 자중에 의한 증가분이 최대 {most}이고 {falls}건은 붕괴한다. 지진이 없을 때 도달한 것(p₀)으로 센다.",
+            en: "{both} of {scans} are beyond the allowable {limit} of a storey that the file sets« ([limits])» without any shaking: {leans} lean by up to {most}, the lean as surveyed and what the weight adds to it, and {falls} fall. They count as having reached it without shaking (p₀).",
+            ko: "{scans} 중 {both}건은 지진 없이 이미 파일에서 정한 허용 층간변위 {limit}«([limits])»을(를) 넘는다. {leans}건은 조사한 기울기와 자중에 의한 증가분이 최대 {most}이고 {falls}건은 붕괴한다. 지진이 없을 때 도달한 것(p₀)으로 센다.",
         },
         OthersBeyond { beyond: usize, scans: Sentence, least: Quantity } => {
             en: "Of the other {scans}, {beyond} drifted beyond it, the weakest at {least}.",

@@ -57,8 +57,8 @@ messages! {
             ko: "해석 {all}회 중 {beyond}회에서({least}부터) 감쇠기의 행정이 여유 공간을 넘는다. 해석에는 멈춤 장치가 없으므로 그 결과는 실제보다 유리하다.",
         },
         Unfinished { missing: usize, jobs: Sentence } => {
-            en: "Not finished: {missing} of {jobs} are missing; `dolmen study` with this folder goes on from here. What follows is of the part that is done.",
-            ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 폴더로 `dolmen study`를 실행하면 이어서 해석하며, 아래 결과는 완료된 부분만의 것이다.",
+            en: "Not finished: {missing} of {jobs} are missing; «`dolmen study`|a study of many runs» with this folder goes on from here. What follows is of the part that is done.",
+            ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 폴더로 «`dolmen study`|반복 해석 검토»를 실행하면 이어서 해석하며, 아래 결과는 완료된 부분만의 것이다.",
         },
         InModel(each: Vec<Sentence>) => {
             en: "The model has the damage of inspections: {each}.",

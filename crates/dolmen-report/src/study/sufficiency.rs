@@ -20,8 +20,8 @@ messages! {
             ko: "p가 작으면(0.05 미만) 그 척도에 의한 내력은 지진 특성에도 좌우되므로 충분하지 않다. p가 크더라도 충분함이 증명되지는 않는다. 지반운동이 적으면 기울기가 드러나지 않는다.",
         },
         DurationInstead => {
-            en: "No motion of the file says its magnitude or distance_km: the duration (5 to 95 % of the Arias intensity) stands in their place.",
-            ko: "파일의 지반운동에 magnitude나 distance_km가 없어 지속시간(Arias 강도의 5–95 %)을 대신 쓴다.",
+            en: "No motion of the file says its magnitude or «distance_km|distance»: the duration (5 to 95 % of the Arias intensity) stands in their place.",
+            ko: "파일의 지반운동에 «magnitude나 distance_km|규모나 거리»가 없어 지속시간(Arias 강도의 5–95 %)을 대신 쓴다.",
         },
         Against => { en: "against", ko: "지진 특성" },
         Magnitude => { en: "magnitude", ko: "규모" },

@@ -36,23 +36,13 @@ messages! {
 /// Text from the file or the answer in both languages.
 pub(super) fn both(of: impl Fn(Language) -> String) -> Sentence {
     let runs = |language| vec![Run::Text(of(language))];
-    Sentence {
-        id: "study.given".to_owned(),
-        arguments: Vec::new(),
-        english: runs(Language::English),
-        korean: runs(Language::Korean),
-    }
+    Sentence::of_runs("study.given", runs(Language::English), runs(Language::Korean))
 }
 
 /// A name from the user, the same in both languages.
 pub(super) fn name(name: &str) -> Sentence {
     let runs = vec![Run::Name(name.to_owned())];
-    Sentence {
-        id: "study.name".to_owned(),
-        arguments: Vec::new(),
-        english: runs.clone(),
-        korean: runs,
-    }
+    Sentence::of_runs("study.name", runs.clone(), runs)
 }
 
 /// The joint "upper on lower", "상부 / 하부".
@@ -64,12 +54,11 @@ pub(super) fn joint(name: &str) -> Sentence {
             lower => format!("{upper} / {lower}"),
         },
     );
-    Sentence {
-        id: "study.joint".to_owned(),
-        arguments: Vec::new(),
-        english: vec![Run::Name(name.to_owned())],
-        korean: vec![Run::Name(korean)],
-    }
+    Sentence::of_runs(
+        "study.joint",
+        vec![Run::Name(name.to_owned())],
+        vec![Run::Name(korean)],
+    )
 }
 
 pub(super) fn scans(count: usize) -> Sentence {

@@ -28,8 +28,8 @@ messages! {
             ko: "감쇠기의 여유 공간은 주어졌으나 비교할 지반운동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
         },
         RoomInWind => {
-            en: "The room of a damper is given: `dolmen check` holds it against the wind of the file.",
-            ko: "감쇠기의 여유 공간이 주어졌다. 파일의 바람에 대한 비교는 `dolmen check`에 나온다.",
+            en: "The room of a damper is given: «`dolmen check`|the check of stability» holds it against the wind of the file.",
+            ko: "감쇠기의 여유 공간이 주어졌다. 파일의 바람에 대한 비교는 «`dolmen check`|안정성 검토»에 나온다.",
         },
         Compared { damper: String, given: Quantity, rule: Quantity, best: Quantity } => {
             en: "Damper {damper}: response over that without it {given} as in the file, {rule} at the place of the rule, {best} placed and tuned best.",

@@ -28,8 +28,8 @@ messages! {
             ko: "감쇠기 {damper}을(를) 층마다 최적 위치와 동조로 두면 비교한 층 가운데 입력한 {own}번 바닥(응답비 {given})보다 나은 층이 없다. 다음은 {next}번 바닥으로 {there}이다.",
         },
         OnlyOwn { damper: String, own: usize } => {
-            en: "Damper {damper} was searched only on its own floor, {own}: `dolmen tune --floors all` compares the others.",
-            ko: "감쇠기 {damper}은(는) 입력한 {own}번 바닥에서만 탐색하였다. 다른 층과의 비교는 `dolmen tune --floors all`로 한다.",
+            en: "Damper {damper} was searched only on its own floor, {own}«: `dolmen tune --floors all` compares the others».",
+            ko: "감쇠기 {damper}은(는) 입력한 {own}번 바닥에서만 탐색하였다.« 다른 층과의 비교는 `dolmen tune --floors all`로 한다.»",
         },
         BeyondRoom { damper: String, floor: usize, needed: Quantity, under: Sentence, has: Quantity } => {
             en: "On floor {floor} damper {damper} would be beyond its room: it needs {needed} each way under {under} and has {has}.",

@@ -10,8 +10,8 @@ messages! {
     /// Earthquakes in a history.
     pub(crate) enum Felt in "watch.earthquakes" {
         Open { survey: String, peak: Sentence, changed: Sentence } => {
-            en: "ALARM: an earthquake on {survey}{peak}{changed}, and no repair or inspection followed. Look at the structure; then enter it into works of [watch].",
-            ko: "경보: {survey}의 지진{peak}{changed} 이후 보수나 점검이 없다. 구조물을 점검하고 [watch]의 works에 기록한다.",
+            en: "ALARM: an earthquake on {survey}{peak}{changed}, and no repair or inspection followed. Look at the structure; then enter it into «works of [watch]|the list of works».",
+            ko: "경보: {survey}의 지진{peak}{changed} 이후 보수나 점검이 없다. 구조물을 점검하고 «[watch]의 works|조치 이력»에 기록한다.",
         },
         Answered { survey: String, peak: Sentence, changed: Sentence } => {
             en: "An earthquake on {survey}{peak}{changed}; a repair or inspection followed.",

@@ -36,8 +36,8 @@ messages! {
             ko: "±는 95 % 신뢰구간의 반폭이다.",
         },
         OpenAlarm { frequency: Values, since: String, confirmed: String } => {
-            en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it into works of [watch].",
-            ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [watch]의 works에 기록한다.",
+            en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it into «works of [watch]|the list of works».",
+            ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 «[watch]의 works|조치 이력»에 기록한다.",
         },
         FurtherAlarms { count: usize, each: Vec<Sentence> } => {
             en: "Further alarms without an answer: {count} ({each}).",
@@ -73,8 +73,8 @@ messages! {
             ko: "{from}부터 {to}까지 추적한 모드 {modes}개에서 지속적인 변화가 확인되지 않았다. 중간 시점의 {least} 급변은 각 모드에서 80 %의 확률로 검출되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
         },
         TooFew { from: String, to: String } => {
-            en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys (`dolmen compare`).",
-            ko: "{from}부터 {to}까지 고유진동수가 지속적으로 변하였는지 판단할 수 없다. 8회 이상의 조사에서 확인된 모드가 없다. 계측을 계속하거나 두 조사를 비교한다(`dolmen compare`).",
+            en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys« (`dolmen compare`)».",
+            ko: "{from}부터 {to}까지 고유진동수가 지속적으로 변하였는지 판단할 수 없다. 8회 이상의 조사에서 확인된 모드가 없다. 계측을 계속하거나 두 조사를 비교한다«(`dolmen compare`)».",
         },
         Missed { frequency: Quantity, least: Quantity } => {
             en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
@@ -93,20 +93,20 @@ messages! {
             ko: "{survey} 조사에서만 {frequency} 모드가 {read}(으)로, 앞뒤 조사보다 {by} 벗어나 변화 검토에서 제외하였다. 기록과 적은 값을 확인한다.",
         },
         FewTemperatures { known: usize, all: usize } => {
-            en: "A temperature is known of {known} of {all} surveys: too few, or too much alike, to take the weather out by it (needed: four of five surveys, six or more, over 2 °C). They are not used, and only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
-            ko: "조사 {all}회 중 {known}회만 기온이 있어, 또는 기온이 서로 비슷하여 날씨의 영향을 기온으로 제거할 수 없다(조사의 5분의 4 이상, 6회 이상, 2 °C 이상의 범위가 필요하다). 적힌 기온은 쓰지 않았으며, 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 temperature_c를 기록한다.",
+            en: "A temperature is known of {known} of {all} surveys: too few, or too much alike, to take the weather out by it (needed: four of five surveys, six or more, over 2 °C). They are not used, and only repeating seasons can tell a lasting change from the weather. Enter «temperature_c|the temperature» with each survey.",
+            ko: "조사 {all}회 중 {known}회만 기온이 있어, 또는 기온이 서로 비슷하여 날씨의 영향을 기온으로 제거할 수 없다(조사의 5분의 4 이상, 6회 이상, 2 °C 이상의 범위가 필요하다). 적힌 기온은 쓰지 않았으며, 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 «temperature_c를|기온을» 기록한다.",
         },
         NoTemperature => {
-            en: "Temperatures are not known: only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
-            ko: "기온을 알 수 없어 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 temperature_c를 기록한다.",
+            en: "Temperatures are not known: only repeating seasons can tell a lasting change from the weather. Enter «temperature_c|the temperature» with each survey.",
+            ko: "기온을 알 수 없어 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 «temperature_c를|기온을» 기록한다.",
         },
         WithTime { frequency: Quantity, correlation: Quantity } => {
             en: "Temperature went with time ({frequency}: correlation {correlation}): ageing and weather can hardly be separated, and less is seen.",
             ko: "기온이 시간과 함께 변하여({frequency}: 상관계수 {correlation}) 노후와 날씨의 영향이 잘 구별되지 않으며 발견할 수 있는 변화가 줄어든다.",
         },
         FarAhead { date: String, last: String } => {
-            en: "The work of {date} in [watch] is dated more than a year after the last survey, {last}: no survey shows what it did, and alarms before it stay open until one does. Is the year right?",
-            ko: "[watch]의 {date} 작업은 마지막 조사 {last}보다 1년 넘게 뒤여서 그 효과를 보여 주는 조사가 없다. 다음 조사까지 이전 경보는 그대로 둔다. 연도가 맞는가?",
+            en: "The work of {date} in «[watch]|the list of works» is dated more than a year after the last survey, {last}: no survey shows what it did, and alarms before it stay open until one does. Is the year right?",
+            ko: "«[watch]|조치 이력»의 {date} 작업은 마지막 조사 {last}보다 1년 넘게 뒤여서 그 효과를 보여 주는 조사가 없다. 다음 조사까지 이전 경보는 그대로 둔다. 연도가 맞는가?",
         },
         Rate { share: Quantity } => {
             en: "An alarm can be confirmed though nothing changed (a false alarm); over these years at least one is confirmed with {share} probability.",

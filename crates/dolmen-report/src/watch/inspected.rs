@@ -36,8 +36,8 @@ messages! {
             ko: "{last} 점검에서 정도가 나빠진 것({count}건): {each}.",
         },
         NotListed { last: String, each: Vec<Sentence>, count: usize } => {
-            en: "Not listed in the inspection of {last}, mended or not looked for ({count}): {each}. If they were mended, enter a repair into works of [watch].",
-            ko: "{last} 점검에 없는 것(보수하였거나 살피지 않음, {count}건): {each}. 보수하였다면 [watch]의 works에 repair로 적는다.",
+            en: "Not listed in the inspection of {last}, mended or not looked for ({count}): {each}. If they were mended, enter a repair into «works of [watch]|the list of works».",
+            ko: "{last} 점검에 없는 것(보수하였거나 살피지 않음, {count}건): {each}. 보수하였다면 «[watch]의 works에 repair|조치 이력에 보수»로 적는다.",
         },
         Damage { part: String, what: Sentence } => { en: "{what} of “{part}”", ko: "‘{part}’ {what}" },
         Beyond { damage: Sentence, size: Quantity, limit: Quantity, date: String } => {
@@ -45,8 +45,8 @@ messages! {
             ko: "{damage}: {size}(으)로 한계 {limit}에 이르렀거나 넘었다({date}).",
         },
         BeyondNotListed { damage: Sentence, size: Quantity, limit: Quantity, date: String, last: String } => {
-            en: "{damage}: {size} on {date}, at its limit of {limit} or beyond, and the inspection of {last} does not list it. If it was mended, enter a repair into works of [watch]; else look again.",
-            ko: "{damage}: {date}에 {size}(으)로 한계 {limit}에 이르렀거나 넘었으나 {last} 점검에 없다. 보수하였다면 [watch]의 works에 repair로 적고, 아니면 다시 살핀다.",
+            en: "{damage}: {size} on {date}, at its limit of {limit} or beyond, and the inspection of {last} does not list it. If it was mended, enter a repair into «works of [watch]|the list of works»; else look again.",
+            ko: "{damage}: {date}에 {size}(으)로 한계 {limit}에 이르렀거나 넘었으나 {last} 점검에 없다. 보수하였다면 «[watch]의 works에 repair|조치 이력에 보수»로 적고, 아니면 다시 살핀다.",
         },
         Near { damage: Sentence, size: Quantity, limit: Quantity, share: Quantity, date: String } => {
             en: "{damage}: NEAR ITS LIMIT: {size} ({date}), {share} of {limit}.",
@@ -97,8 +97,8 @@ messages! {
             ko: "{damage}: {date}에 {size}(으)로 한계 {limit}에 이르렀거나 넘었으나 지금은 아니다. 적은 값과 보수 여부를 확인한다.",
         },
         Several { each: Vec<Sentence>, count: usize } => {
-            en: "Inspections list several of a kind at one part, so that none of them is followed ({count}): {each}. Give each a name, the same in every inspection: name = \"C1\".",
-            ko: "한 부재에 같은 손상이 여럿 있어 추적하지 못한 것({count}건): {each}. 모든 점검에서 같은 이름을 붙인다: name = \"C1\".",
+            en: "Inspections list several of a kind at one part, so that none of them is followed ({count}): {each}.« Give each a name, the same in every inspection: name = \"C1\".»",
+            ko: "한 부재에 같은 손상이 여럿 있어 추적하지 못한 것({count}건): {each}.« 모든 점검에서 같은 이름을 붙인다: name = \"C1\".»",
         },
         Undated { count: usize } => {
             en: "Entries of inspections in surveys whose names begin with no date are left out: {count}.",

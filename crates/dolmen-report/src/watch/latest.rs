@@ -13,8 +13,8 @@ messages! {
     /// Newest and earlier readings.
     pub(crate) enum Latest in "watch.latest" {
         Newest { directions: Vec<String>, read: Quantity, date: String } => {
-            en: "Tilt along {directions}: last read as {read} mm/m ({date}); no tilt_limit is given in [watch].",
-            ko: "{directions} 방향 기울기: 마지막 측정값 {read} mm/m({date}). [watch]에 tilt_limit이 없다.",
+            en: "Tilt along {directions}: last read as {read} mm/m ({date}); no «tilt_limit is given in [watch]|tilt limit is given».",
+            ko: "{directions} 방향 기울기: 마지막 측정값 {read} mm/m({date}). «[watch]에 tilt_limit이|기울기 한계가» 없다.",
         },
         OfLimit { directions: Vec<String>, read: Quantity, date: String, share: Quantity, limit: Quantity } => {
             en: "Tilt along {directions}: last read as {read} mm/m ({date}), {share} of its limit of {limit} mm/m.",

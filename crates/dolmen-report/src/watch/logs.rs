@@ -80,12 +80,12 @@ messages! {
             ko: "{label}: {number}번 보수·사건({date}) 때 {by} ± {half}만큼 바뀌었다.",
         },
         Jumped { label: Both, by: Quantity, after: String, before: String } => {
-            en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into works of [watch].",
-            ko: "{label}: {after}와(과) {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
+            en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into «works of [watch]|the list of works».",
+            ko: "{label}: {after}와(과) {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 «[watch]의 works|조치 이력»에 기록한다.",
         },
         JumpedBy { label: Both, by: Quantity, half: Quantity, after: String, before: String } => {
-            en: "{label}: it jumped by {by} ± {half} between {after} and {before}, and no work says why. The trend is that beside this jump: look what happened, and enter it into works of [watch].",
-            ko: "{label}: {after}와(과) {before} 사이에 {by} ± {half}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세는 이 급변과 함께 추정하였다. 원인을 확인하여 [watch]의 works에 기록한다.",
+            en: "{label}: it jumped by {by} ± {half} between {after} and {before}, and no work says why. The trend is that beside this jump: look what happened, and enter it into «works of [watch]|the list of works».",
+            ko: "{label}: {after}와(과) {before} 사이에 {by} ± {half}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세는 이 급변과 함께 추정하였다. 원인을 확인하여 «[watch]의 works|조치 이력»에 기록한다.",
         },
         OtherScatter { label: Both, column: String, from: String, factor: Quantity } => {
             en: "PROBABLY A SLIP: {label}, column {column}: from {from} on its days scatter {factor} times as much as before. Were unit, range or gain changed? No trend is given: correct the file, or make two logs of it.",

@@ -11,8 +11,8 @@ messages! {
     /// Findings on modes that are not there, or not in one place.
     pub(crate) enum Missing in "watch.lost" {
         Lost { modes: Values, since: String, missed: usize, found: usize, of: usize } => {
-            en: "ALARM: not found since {since}: {modes}; surveys missing it: {missed}, found before in {found} of {of}. It changed by more than the modes are looked for, or the measurement lost it. Look at the structure and at these records; then enter it into works of [watch].",
-            ko: "경보: {since}부터 확인되지 않는 모드: {modes}. 누락 {missed}회, 이전에는 {of}회 중 {found}회 확인되었다. 추적 범위를 넘게 변하였거나 계측에서 놓친 것이다. 구조물과 해당 기록을 점검하고 [watch]의 works에 기록한다.",
+            en: "ALARM: not found since {since}: {modes}; surveys missing it: {missed}, found before in {found} of {of}. It changed by more than the modes are looked for, or the measurement lost it. Look at the structure and at these records; then enter it into «works of [watch]|the list of works».",
+            ko: "경보: {since}부터 확인되지 않는 모드: {modes}. 누락 {missed}회, 이전에는 {of}회 중 {found}회 확인되었다. 추적 범위를 넘게 변하였거나 계측에서 놓친 것이다. 구조물과 해당 기록을 점검하고 «[watch]의 works|조치 이력»에 기록한다.",
         },
         LostOnce { modes: Values, since: String, found: usize, of: usize } => {
             en: "Not found since {since}: {modes}, found before in {found} of {of} surveys. That may be chance; if the next survey misses it too, it is none. Measure again soon.",
@@ -31,8 +31,8 @@ messages! {
             ko: "{frequency} 모드는 표준편차 {by}(으)로 서서히 변동하는데 조사별 오차는 {stated}이고 기상으로 설명되지 않는다. 여러 번의 급변도 이렇게 나타난다. 지속적인 변화인지 판단할 수 없으므로 그래프를 확인한다.",
         },
         LastApart { last: String, frequency: Quantity, change: Quantity, usual: Quantity, times: Quantity } => {
-            en: "The last survey, {last}, has {frequency}: {change} from the median of those before it, {usual}, and {times} times the standard deviations of both. With so few surveys that gives no alarm, and the weather may do it; look at it with `dolmen compare`.",
-            ko: "마지막 조사 {last}의 고유진동수는 {frequency}(으)로, 이전 조사의 중앙값 {usual}에서 {change} 변하였으며 표준편차의 {times}배이다. 조사가 적어 경보로 판정하지 않으며 기상의 영향일 수 있다. `dolmen compare`로 살펴본다.",
+            en: "The last survey, {last}, has {frequency}: {change} from the median of those before it, {usual}, and {times} times the standard deviations of both. With so few surveys that gives no alarm, and the weather may do it; look at it with «`dolmen compare`|the comparison of two surveys».",
+            ko: "마지막 조사 {last}의 고유진동수는 {frequency}(으)로, 이전 조사의 중앙값 {usual}에서 {change} 변하였으며 표준편차의 {times}배이다. 조사가 적어 경보로 판정하지 않으며 기상의 영향일 수 있다. «`dolmen compare`|조사 비교»로 살펴본다.",
         },
     }
 }

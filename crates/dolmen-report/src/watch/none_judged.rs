@@ -22,8 +22,8 @@ messages! {
             ko: "이전 조사와 비교하여 판정한 조사가 없다. 이전의 거의 모든 조사보다 춥거나 더운 조사가 {surveys}회이다. 한 해 동안의 조사가 있으면 기온 범위가 확보된다.",
         },
         NoTemperature { surveys: usize } => {
-            en: "No survey was judged against those before it: surveys without a temperature, where the others have one: {surveys}. Enter temperature_c with each survey.",
-            ko: "이전 조사와 비교하여 판정한 조사가 없다. 다른 조사와 달리 기온이 없는 조사가 {surveys}회이다. 조사마다 temperature_c를 기록한다.",
+            en: "No survey was judged against those before it: surveys without a temperature, where the others have one: {surveys}. Enter «temperature_c|the temperature» with each survey.",
+            ko: "이전 조사와 비교하여 판정한 조사가 없다. 다른 조사와 달리 기온이 없는 조사가 {surveys}회이다. 조사마다 «temperature_c를|기온을» 기록한다.",
         },
         Other { training: usize } => {
             en: "No survey was judged against those before it: that needs more than {training} surveys before it, with its modes, at one level and near its temperature.",

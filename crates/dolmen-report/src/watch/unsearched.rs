@@ -12,8 +12,8 @@ messages! {
     /// Findings on surveys without a temperature.
     pub(crate) enum Unsearched in "watch.unsearched" {
         Guessed { surveys: usize, from: String, to: String } => {
-            en: "Surveys without a temperature: {surveys}, from {from} to {to}. In the search for changes they have the mean temperature of their time of the year, and what the weather does then as their error. Enter temperature_c: less is missed with it.",
-            ko: "기온이 없는 조사: {surveys}회({from}~{to}). 변화 검토에서 같은 계절의 평균 기온을 쓰고 그 계절 날씨의 영향을 오차에 더하였다. temperature_c를 적으면 더 작은 변화도 발견된다.",
+            en: "Surveys without a temperature: {surveys}, from {from} to {to}. In the search for changes they have the mean temperature of their time of the year, and what the weather does then as their error. Enter «temperature_c|the temperature»: less is missed with it.",
+            ko: "기온이 없는 조사: {surveys}회({from}~{to}). 변화 검토에서 같은 계절의 평균 기온을 쓰고 그 계절 날씨의 영향을 오차에 더하였다. «temperature_c를|기온을» 적으면 더 작은 변화도 발견된다.",
         },
         LeftOut { surveys: usize, from: String, to: String, frequency: Quantity, by: Quantity, times: Quantity } => {
             en: "Left out of the search for changes, as their temperature is not known or too few others were as cold: surveys {surveys}, from {from} to {to}. Their median of {frequency} lies {by} off that of the others, {times} times the scatter of these.",

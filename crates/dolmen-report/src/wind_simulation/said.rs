@@ -35,8 +35,8 @@ messages! {
             ko: "허용값 {limit} 이내이다. 시간이력 {histories}개 중 {beyond}개가 허용값을 넘는다.",
         },
         NoLimit => {
-            en: "What people bear is not judged. Write wind.acceleration_limit to have it judged.",
-            ko: "거주성은 판정하지 않았다. wind.acceleration_limit를 입력하면 판정한다.",
+            en: "What people bear is not judged.« Write wind.acceleration_limit to have it judged.»",
+            ko: "거주성은 판정하지 않았다.« wind.acceleration_limit를 입력하면 판정한다.»",
         },
         Drift { ratio: Quantity, floor: Sentence, axis: Sentence, mean_square: Quantity } => {
             en: "The largest peak drift at an edge is {ratio} of the storey height in the mean, below floor {floor}, the wind along {axis}; the mean square gives {mean_square}.",

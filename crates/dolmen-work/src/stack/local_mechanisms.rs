@@ -13,9 +13,10 @@ const STONES_MOST: usize = 400;
 /// Directions are the same if the sine of the angle between them is below this. Our choice.
 const SAME: f64 = 1e-3;
 
-/// The mechanism of the first motion, then those along both senses of x and y; empty for a stack that does not stand.
+/// The mechanism of the first motion, then those along both senses of x and y; empty for a stack that does not stand, and under static loads
+/// that press on it: the codes move what presses as masses, and these have none.
 pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Vec<LocalMechanismRow> {
-    if check.verdict == Verdict::Unstable {
+    if check.verdict == Verdict::Unstable || stack.is_pressed() {
         return Vec::new();
     }
     let first = check.capacity.map(|capacity| capacity.direction);

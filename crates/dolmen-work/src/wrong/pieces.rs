@@ -61,8 +61,8 @@ messages! {
             ko: "지진이 없어도 서 있지 못한다",
         },
         NoGround => {
-            en: "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration",
-            ko: "표에 지반가속도가 없다. T = 0부터 입력하거나 peak_ground_acceleration을 쓴다",
+            en: "the table gives no acceleration of the ground«: begin it at T = 0, or write peak_ground_acceleration»",
+            ko: "표에 지반가속도가 없다«. T = 0부터 입력하거나 peak_ground_acceleration을 쓴다»",
         },
     }
 }
@@ -71,8 +71,8 @@ messages! {
     /// Why the structure of a case cannot be run.
     pub(crate) enum CaseRefused in "work.case" {
         JointsUnknown => {
-            en: "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints, or into a variant that variants names",
-            ko: "접합부 강성을 알 수 없다. `dolmen identify`로 계측 모드에 맞는 강성을 구해 joints나 variants에 있는 대안에 쓴다",
+            en: "the joints are unknown: «`dolmen identify`|the identification from vibration» finds stiffness that measured modes allow; write it into the joints, or into a variant« that variants names»",
+            ko: "접합부 강성을 알 수 없다. «`dolmen identify`|진동 평가»로 계측 모드에 맞는 강성을 구해 «joints나 variants에 있는|접합부나» 대안에 쓴다",
         },
         FeetLiftOff => {
             en: "columns without ties lift off their stones, which a run follows with one storey and one component alone: the springs of their beds are too stiff beyond",
@@ -83,8 +83,8 @@ messages! {
             ko: "기둥의 거동이 불규칙하여 시간 간격을 줄여도 최대 변위가 달라진다",
         },
         NoDirectionKnown => {
-            en: "the stiffness of no direction is known: `dolmen identify` finds those that frequencies allow",
-            ko: "강성을 아는 방향이 없다. `dolmen identify`로 진동수에 맞는 강성을 구한다",
+            en: "the stiffness of no direction is known: «`dolmen identify`|the identification from vibration» finds those that frequencies allow",
+            ko: "강성을 아는 방향이 없다. «`dolmen identify`|진동 평가»로 진동수에 맞는 강성을 구한다",
         },
         ChooseDirection(directions: String) => {
             en: "the file has the directions {directions}: choose one with direction",
@@ -116,12 +116,12 @@ messages! {
             ko: "흔들지 않아도 서 있지 못한다: {verdict}",
         },
         PressedWithoutMass => {
-            en: "static loads without mass press its stones together, so that shaking it says nothing of its capacity: model what weighs on it as a block, or study a variant with loads = []",
-            ko: "질량 없는 정하중이 석재를 누르고 있어 흔들어도 한계 지반운동을 알 수 없다. 얹힌 것을 블록으로 모델링하거나 loads = []인 대안을 검토한다",
+            en: "static loads without mass press its stones together, so that shaking it says nothing of its capacity: model what weighs on it as a block, or study a variant «with loads = []|without them»",
+            ko: "질량 없는 정하중이 석재를 누르고 있어 흔들어도 한계 지반운동을 알 수 없다. 얹힌 것을 블록으로 모델링하거나 «loads = []인|정하중이 없는» 대안을 검토한다",
         },
         SupportsMove => {
-            en: "its supports move before the ground shakes, and runs shake it as it stood before: study a variant with support_movement = []",
-            ko: "지점이 먼저 이동하지만 해석은 이동 전의 형상을 흔든다. support_movement = []인 대안을 검토한다",
+            en: "its supports move before the ground shakes, and runs shake it as it stood before: study a variant «with support_movement = []|whose supports do not move»",
+            ko: "지점이 먼저 이동하지만 해석은 이동 전의 형상을 흔든다. «support_movement = []인|지점이 이동하지 않는» 대안을 검토한다",
         },
         NoVerdictBefore => {
             en: "the run under the motion before came to no verdict",
@@ -180,16 +180,16 @@ messages! {
             ko: "강체 접촉 해석에는 접합면 강성이 없어 {stones} 하부 접합면의 강성 저하가 결과에 나타나지 않는다",
         },
         WindLeftOut => {
-            en: "the wind of the file does not act in the runs: `dolmen check` judges it",
-            ko: "해석에 파일의 바람을 반영하지 않았다. `dolmen check`에서 판정한다",
+            en: "the wind of the file does not act in the runs: «`dolmen check`|the check of stability» judges it",
+            ko: "해석에 파일의 바람을 반영하지 않았다. «`dolmen check`|안정성 검토»에서 판정한다",
         },
         ForcesLeftOut => {
-            en: "forces and moments of static loads do not act in the runs: `dolmen check` judges them",
-            ko: "해석에 정하중의 힘과 모멘트를 반영하지 않았다. `dolmen check`에서 판정한다",
+            en: "forces and moments of static loads do not act in the runs: «`dolmen check`|the check of stability» judges them",
+            ko: "해석에 정하중의 힘과 모멘트를 반영하지 않았다. «`dolmen check`|안정성 검토»에서 판정한다",
         },
         ColumnsLeftOut => {
-            en: "storeys keep their stiffness where the feet of their free-standing columns lift off: how beds and joints share it is assumed, and `dolmen simulate` says how far that matters in a frame of one storey",
-            ko: "자립 기둥의 주각이 들린 뒤에도 층강성을 그대로 두었다. 지압면과 접합부의 강성 분담은 가정이며, 단층 골조에서 그 영향은 `dolmen simulate`에 나온다",
+            en: "storeys keep their stiffness where the feet of their free-standing columns lift off: how beds and joints share it is assumed, and «`dolmen simulate`|a simulation in time» says how far that matters in a frame of one storey",
+            ko: "자립 기둥의 주각이 들린 뒤에도 층강성을 그대로 두었다. 지압면과 접합부의 강성 분담은 가정이며, 단층 골조에서 그 영향은 «`dolmen simulate`|지진응답 검토»에 나온다",
         },
         VerticalLeftOut { percent: String } => {
             en: "vertical components of the motions, up to {percent} % of their horizontal peak, do not act in the runs",
@@ -204,8 +204,8 @@ messages! {
             ko: "{motions}의 x 성분만 체인의 평면에 작용하고 y 성분은 작용하지 않는다. 두 방향의 너비와 강성을 주면 두 성분을 모두 작용시킨다",
         },
         LimitsDiffer => {
-            en: "the allowable drift of [limits] differs between the combinations, so that no scan is compared with it: write a study for each",
-            ko: "조합마다 [limits]의 허용 층간변위가 달라 허용값과 비교하지 않았다. 허용값마다 study를 따로 쓴다",
+            en: "the allowable drift« of [limits]» differs between the combinations, so that no scan is compared with it«: write a study for each»",
+            ko: "조합마다 «[limits]의 »허용 층간변위가 달라 허용값과 비교하지 않았다«. 허용값마다 study를 따로 쓴다»",
         },
         HazardsDiffer => {
             en: "the hazard of the site differs between the combinations, so that there are no rates: write a study for each",

@@ -12,6 +12,7 @@ mod frame;
 mod intensity;
 mod kinetic_friction;
 mod least_motion;
+mod least_pressed;
 mod loads_on_soil;
 mod one_stone;
 mod portfolio;
@@ -50,6 +51,7 @@ pub use fragility::{
 };
 pub use frame::{FrameCheck, FrameNote, check_frame};
 pub use intensity::{RockingScale, rocking_scale};
+pub use least_pressed::LeastPressed;
 pub use one_stone::{OneStoneCheck, check_one_stone};
 pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, rank};
 pub use probability::{Distribution, Probability, probability, sampled};

@@ -2,7 +2,8 @@
 
 use super::AssessError;
 use super::kinetic_friction;
-use super::least_motion::{FirstMotion, first_motion};
+use super::least_motion::FirstMotion;
+use super::least_pressed::LeastPressed;
 use super::stack_notes::{Gaps, SettleRun, StackNote};
 use crate::blocks::LooseStones;
 use crate::stability::Verdict;
@@ -33,8 +34,8 @@ pub struct StackCheck {
     pub analysis: Option<LimitAnalysisResult>,
     /// Least acceleration at which it begins to move, by joints and limit analysis; `None` if it does not stand.
     pub capacity: Option<Threshold>,
-    /// The same without static loads, if some press on stones.
-    pub capacity_without_loads: Option<Threshold>,
+    /// The least of those without some of the static loads that press on stones; `None` if none presses.
+    pub least_pressed: Option<LeastPressed>,
     /// Whether the stack is stable, marginal or unstable without shaking.
     pub verdict: Verdict,
     /// The part that rocks first as one block; `None` if the stack does not stand, slides first or carries static loads.
@@ -125,12 +126,12 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         });
     }
     if stack.is_pressed() {
-        let without = first_motion(&stack.clone().without_static_loads(), &options.limits)?;
+        check.least_pressed = LeastPressed::of(stack, &options.limits, check.capacity)?;
+        let without = check.least_pressed.as_ref().and_then(|least| least.capacity);
         check.notes.push(StackNote::LoadsWithoutMass {
             with_g: check.capacity.map(|capacity| capacity.acceleration_g),
             without_g: without.map(|least| least.acceleration_g),
         });
-        check.capacity_without_loads = without;
     }
     if check.verdict != Verdict::Unstable && !stack.support_movements().is_empty() {
         let following = SupportMovementOptions {
@@ -168,7 +169,7 @@ fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         verdict: limits.verdict,
         analysis: None,
         capacity: None,
-        capacity_without_loads: None,
+        least_pressed: None,
         rocking: None,
         crushing: None,
         period_of_thumb: period_of_thumb(stack.height_m())?,

@@ -8,8 +8,8 @@ use super::AssessError;
 use super::loads_on_soil::factor_on_soil;
 use crate::stability::Verdict;
 use crate::stability::stack::{
-    BlownBlock, LoadFactor, ROUNDS, StackLoads, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
-    smoother_starts, without_sliding_friction,
+    BlownBlock, LoadFactor, ROUNDS, StackLoads, SteadyLoads, WindSurfaces, blown_blocks,
+    driving_under_growth, growth, load_factor, smoother_starts, without_sliding_friction,
 };
 use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
@@ -52,7 +52,7 @@ pub enum Grows {
     All,
     /// Wind and static loads, except downward loads, which may stabilise the stones.
     AllButDownwards,
-    /// The wind only, without the downward static loads; the other static loads stay constant.
+    /// The wind only; the static loads stay constant, without those downward loads that resist it.
     Wind,
 }
 
@@ -91,7 +91,7 @@ impl StackUnderLoads {
 ///
 /// ```text
 /// λ = least over eight directions of the wind of the factor on
-///     wind + loads | wind + loads, with constant downward loads | wind, without the downward loads
+///     wind + loads | wind + loads, with constant downward loads | wind, without the downward loads that resist it
 /// ```
 ///
 /// # Errors
@@ -222,6 +222,12 @@ impl Pushed {
     }
 }
 
+/// What grows, with the constant and the increasing loads.
+type Ray = (Grows, Vec<StaticLoad>, Vec<StaticLoad>);
+
+/// Largest number of times that the downward loads are chosen by the mechanism. Our choice: usually none changes after the first.
+const TURNS: usize = 4;
+
 /// Quantities that do not depend on the wind.
 struct Case<'a> {
     stack: &'a Stack,
@@ -234,7 +240,7 @@ impl Case<'_> {
     /// The smallest factor of all rays, and the index of the ray.
     fn least(&self, pushed: &Pushed, known: RestState) -> Result<(f64, usize), AssessError> {
         let mut least = (f64::INFINITY, 0);
-        for (index, (_, steady, growing)) in self.rays(&pushed.loads).iter().enumerate() {
+        for (index, (_, steady, growing)) in self.rays(&pushed.loads)?.iter().enumerate() {
             let steady = SteadyLoads {
                 weight: self.weight,
                 loads: steady,
@@ -255,7 +261,7 @@ impl Case<'_> {
 
     /// The full result for one ray.
     fn whole(&self, pushed: Pushed, ray: usize) -> Result<StackUnderLoads, AssessError> {
-        let mut rays = self.rays(&pushed.loads);
+        let mut rays = self.rays(&pushed.loads)?;
         let (grows, steady, growing) = rays.swap_remove(ray);
         let steady = SteadyLoads {
             weight: self.weight,
@@ -277,7 +283,7 @@ impl Case<'_> {
     }
 
     /// Pairs of constant and increasing loads.
-    fn rays(&self, wind: &[StaticLoad]) -> Vec<(Grows, Vec<StaticLoad>, Vec<StaticLoad>)> {
+    fn rays(&self, wind: &[StaticLoad]) -> Result<Vec<Ray>, AssessError> {
         let all: Vec<StaticLoad> = wind.iter().chain(&self.loads).copied().collect();
         let mut rays = vec![(Grows::All, Vec::new(), all)];
         let part = |of: fn([f64; 3]) -> [f64; 3]| -> Vec<StaticLoad> {
@@ -294,10 +300,30 @@ impl Case<'_> {
             rays.push((Grows::AllButDownwards, downwards, others));
         }
         if !wind.is_empty() && self.loads.iter().any(|load| load.force_n != [0.0; 3]) {
-            // downward loads may be absent when the wind blows
-            let steady = self.loads.iter().filter(|load| load.force_n[2] >= 0.0);
-            rays.push((Grows::Wind, steady.copied().collect(), wind.to_vec()));
+            rays.push((Grows::Wind, self.beside_wind(wind)?, wind.to_vec()));
         }
-        rays
+        Ok(rays)
+    }
+
+    /// The static loads of the least factor on the wind: each downward load may be there or not when it blows.
+    fn beside_wind(&self, wind: &[StaticLoad]) -> Result<Vec<StaticLoad>, AssessError> {
+        let (downwards, others): (Vec<StaticLoad>, Vec<StaticLoad>) =
+            self.loads.iter().partition(|load| load.force_n[2] < 0.0);
+        let mut there = vec![false; downwards.len()];
+        let mut steady = others.clone();
+        for _ in 0..TURNS {
+            let weighs = SteadyLoads {
+                weight: self.weight,
+                loads: &steady,
+            };
+            let drives = driving_under_growth(self.stack, &weighs, wind, &downwards)?;
+            let Some(drives) = drives.filter(|drives| *drives != there) else {
+                break;
+            };
+            there = drives;
+            let kept = downwards.iter().zip(&there).filter(|(_, there)| **there);
+            steady = others.iter().chain(kept.map(|(load, _)| load)).copied().collect();
+        }
+        Ok(steady)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::by_modes::{ModalDemand, ModalRatio};
 use super::{ShakenDirection, SiteDemand};
+use crate::assess::LeastPressed;
 use crate::assess::least_motion::first_motion;
 use crate::assess::stack_on_soil::on_soil;
 use crate::assess::{AssessError, StackCheck, StackCheckOptions};
@@ -43,8 +44,8 @@ pub struct StackDemandCheck {
     pub rows: Vec<StackDemandRow>,
     /// The worst verdict of all directions.
     pub verdict: DemandVerdict,
-    /// Whether these results are for the stack without its static loads. Static loads press on the stack but have no mass; without them it may resist
-    /// less.
+    /// Whether these results are for the stack without some of its static loads. They press on the stack but have no mass; without them it may
+    /// resist less.
     pub without_loads: bool,
 }
 
@@ -68,8 +69,9 @@ impl StackDemandCheck {
 /// rigid      capacity(a_z) / A_0                  a_z = −v A_0, v the vertical ratio: full value at the same time
 /// published  capacity(a_z) / S_a(T₁, ζ)           in any direction the larger S_a of both
 /// by modes   least of s / D over every edge and every sliding direction of every joint, s the resistance of weight and friction
-///            D² = Σ_kl ρ_kl D_k D_l                           D_k of the forces m φ_k Γ_k S_k on all that is above
-///            D² = Σ_kl ρ_kl D_k D_l p_k p_l + D_0²            p_k = √(1 − (A_0/S_k)²), D_0 of the forces m A_0: in phase with the ground
+///            D² = Σ_kl ρ_kl D_k D_l p_k p_l + D_0²            D_k of the forces m φ_k Γ_k S_k on all that is above, p_k = √(1 − α_k²),
+///                                                             D_0 of the forces in phase with the ground: m A_0 less the modes with α = 0
+///            α_k = A_0/S_k on the rising branch of the spectrum, 0 beyond; and for all modes with S_k ≥ A_0
 ///            the larger of both; in any direction the worst direction of shaking
 /// ```
 ///
@@ -78,7 +80,7 @@ impl StackDemandCheck {
 ///
 /// # Limits
 /// As for [`crate::assess::check_stack`] and [`compare_with_demand`]. The full vertical peak is combined with the full horizontal peak, which is conservative. If
-/// static loads press on stones, the stack is also checked without them, and the worse result counts. Along x and y the capacity is that of the limit
+/// static loads press on stones, the stack is also checked without those that hold it, and the worse result counts. Along x and y the capacity is that of the limit
 /// analysis, on the soil if there is one. In the modal analysis the joints stay closed and linear until a part
 /// tips or slides. In reality a corner opens earlier (in a rectangle at a third), which lengthens the periods. If stones share their load, the
 /// largest force and moment of every stone act together in a limit analysis, which is conservative; "in any direction" is then the least along x and
@@ -97,12 +99,10 @@ pub fn stack_against_site(
     if site.peak_ground_acceleration_m_s2.is_none() {
         return Ok(None);
     }
+    let with_loads = first_motion(stack, &options.limits)?;
     let known = KnownMotion {
-        with_loads: first_motion(stack, &options.limits)?,
-        without_loads: match stack.is_pressed() {
-            true => first_motion(&stack.clone().without_static_loads(), &options.limits)?,
-            false => None,
-        },
+        with_loads,
+        least_pressed: LeastPressed::of(stack, &options.limits, with_loads)?,
     };
     known_against_site(stack, options, site, modes, &known)
 }
@@ -119,7 +119,7 @@ pub fn checked_stack_against_site(
 ) -> Result<Option<StackDemandCheck>, AssessError> {
     let known = KnownMotion {
         with_loads: check.capacity,
-        without_loads: check.capacity_without_loads,
+        least_pressed: check.least_pressed.clone(),
     };
     known_against_site(stack, options, site, modes, &known)
 }
@@ -127,8 +127,8 @@ pub fn checked_stack_against_site(
 /// Least acceleration in any direction at which a stack begins to move; `None` if it does not stand, or if nothing moves it.
 struct KnownMotion {
     with_loads: Option<Threshold>,
-    /// For the stack without static loads; not used if none press on stones.
-    without_loads: Option<Threshold>,
+    /// For the stack without the static loads that hold it; `None` if none presses on stones.
+    least_pressed: Option<LeastPressed>,
 }
 
 fn known_against_site(
@@ -139,12 +139,12 @@ fn known_against_site(
     known: &KnownMotion,
 ) -> Result<Option<StackDemandCheck>, AssessError> {
     let own = || against_site(stack, options, site, modes, known.with_loads);
-    if !stack.is_pressed() {
+    let Some(least) = &known.least_pressed else {
         return own();
-    }
-    let without = stack.clone().without_static_loads();
+    };
+    let without = stack.with_static_loads(&least.acts);
     let (with, free) = rayon::join(own, || {
-        against_site(&without, options, site, modes, known.without_loads)
+        against_site(&without, options, site, modes, least.capacity)
     });
     let (Some(with), free) = (with?, free?) else {
         return Ok(None);

@@ -227,6 +227,18 @@ impl DesignSpectrum {
         }
     }
 
+    /// The shortest period at which the spectrum has its largest value, s: it rises until there.
+    pub(super) fn peaks_from_s(&self) -> f64 {
+        match &self.shape {
+            Shape::Branches(branches) => branches.rise_s,
+            Shape::Table { points, .. } => {
+                let higher =
+                    |peak: [f64; 2], point: &[f64; 2]| if point[1] > peak[1] { *point } else { peak };
+                points.iter().fold([0.0, f64::NEG_INFINITY], higher)[0]
+            }
+        }
+    }
+
     /// The damping ratio of a table, the only one at which it can be read; `None` if the code has a rule for other damping
     /// ratios.
     pub(super) fn table_damping_ratio(&self) -> Option<f64> {

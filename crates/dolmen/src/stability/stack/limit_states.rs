@@ -29,6 +29,8 @@ pub struct CutLimits {
     pub above: String,
     /// Weight of the blocks above, including vertical acceleration, N.
     pub weight_n: f64,
+    /// Force of weight and static loads that presses on the joint, N.
+    pub normal_n: f64,
     /// Centroid of the blocks above, m.
     pub centroid_m: [f64; 3],
     /// Origin of the plane of the contact, m.

@@ -18,7 +18,7 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Stack, StaticLoad};
 
 /// Direction of the growing loads in a programme.
-const GROWS: [f64; 2] = [1.0, 0.0];
+pub(super) const GROWS: [f64; 2] = [1.0, 0.0];
 
 /// Load factor that counts as unlimited, for loads equal to the weight.
 const MOST: f64 = ACCELERATION_MOST * (1.0 - 1e-6);
@@ -143,7 +143,7 @@ pub fn growth(
 }
 
 /// The equilibrium in pieces, and the scale of its growing loads.
-fn pieces_of(
+pub(super) fn pieces_of(
     bare: &Stack,
     steady: &SteadyLoads<'_>,
     growing: &[StaticLoad],

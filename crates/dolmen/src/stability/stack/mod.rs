@@ -7,6 +7,7 @@ mod cut_resistances;
 mod cuts;
 mod demand;
 mod dilatancy;
+mod driving_loads;
 mod footing;
 mod half_plane;
 mod held_friction;
@@ -58,6 +59,7 @@ pub(crate) use dilatancy::ROUNDS;
 #[cfg(test)]
 pub(crate) use dilatancy::without_upright_friction;
 pub use dilatancy::{Undilated, limit_analysis_undilated};
+pub(crate) use driving_loads::{driving_shaken, driving_under_growth};
 pub(crate) use limit_along::stands_by_limit_analysis;
 pub use limit_analysis::limit_analysis;
 pub use limit_options::{

@@ -45,6 +45,7 @@ pub(super) fn limits_of(
     let mut limits = CutLimits {
         above,
         weight_n: load.mass * (stack.gravity_m_s2() + options.loads.vertical_acceleration_m_s2),
+        normal_n: *normal_force,
         centroid_m: load.centroid().into(),
         origin_m: contact.origin.into(),
         axes: contact.axes.map(Into::into),

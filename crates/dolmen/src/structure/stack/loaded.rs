@@ -51,6 +51,16 @@ impl Stack {
         &self.static_loads
     }
 
+    /// The same stack with those of its static loads that act.
+    pub fn with_static_loads(&self, acts: &[bool]) -> Self {
+        let mut stack = self.clone();
+        let mut each = acts.iter();
+        stack
+            .static_loads
+            .retain(|_| each.next().is_some_and(|acts| *acts));
+        stack
+    }
+
     /// The same stack under its weight alone.
     pub fn without_static_loads(mut self) -> Self {
         self.static_loads.clear();
