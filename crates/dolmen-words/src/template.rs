@@ -31,7 +31,7 @@ pub struct Template {
 }
 
 impl Template {
-    /// "chain.stability/contradicted", as in [`Sentence::id`].
+    /// "chain.stability/contradicted", as in [`Sentence::id`](crate::Sentence::id).
     pub fn id(&self) -> String {
         message_id(self.group, self.message)
     }
