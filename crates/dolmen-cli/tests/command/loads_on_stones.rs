@@ -71,6 +71,10 @@ fn exact_the_pressure_of_a_joint_counts_loads_and_codes_move_no_loads_without_ma
     let pressure = (3.0 * 2500.0 * 9.80665 + 200e3) / 1e3;
     assert!(words.contains(&format!(" {pressure:.0} ")), "{pressure}: {words}");
     assert!(!words.contains("Circolare"), "{words}");
+    assert!(
+        words.contains("Local mechanisms of codes are not given"),
+        "{words}"
+    );
 }
 
 #[test]

@@ -184,36 +184,44 @@ fn loads(reader: &mut Reader, part: &StackPart) {
         let away = |axis: usize| (low[axis] - at[axis]).max(at[axis] - high[axis]).max(0.0);
         let away_m = length([away(0), away(1), away(2)]);
         let longest_m = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
-        let sized = |weights: f64| (path.clone(), force.clone(), stone.clone(), ratio(weights));
-        let mut doubted = Vec::new();
-        if size_n > 0.0 && weights < LOAD_WEIGHTS.0 {
-            let (path, force, stone, ratio) = sized(weights);
-            doubted.push(Doubted::LoadSmall {
-                path,
-                force,
-                stone,
-                ratio,
-            });
-        }
-        if weights > LOAD_WEIGHTS.1 {
-            let (path, force, stone, ratio) = sized(weights);
-            doubted.push(Doubted::LoadLarge {
-                path,
-                force,
-                stone,
-                ratio,
-            });
-        }
-        if load.force_n[2] > UPWARDS * size_n {
-            let (path, force, stone, _) = sized(weights);
-            doubted.push(Doubted::LoadUpwards { path, force, stone });
-        }
-        if away_m > LOAD_OFF * longest_m {
-            let (path, _, stone, _) = sized(weights);
-            let away = metres(away_m);
-            doubted.push(Doubted::LoadOff { path, stone, away });
-        }
-        for doubted in doubted {
+        let small = size_n > 0.0 && weights < LOAD_WEIGHTS.0;
+        let (name, size) = (|| path.clone(), || (force.clone(), stone.clone()));
+        let doubted = [
+            small.then(|| {
+                let (force, stone) = size();
+                let (path, ratio) = (name(), ratio(weights));
+                Doubted::LoadSmall {
+                    path,
+                    force,
+                    stone,
+                    ratio,
+                }
+            }),
+            (weights > LOAD_WEIGHTS.1).then(|| {
+                let (force, stone) = size();
+                let (path, ratio) = (name(), ratio(weights));
+                Doubted::LoadLarge {
+                    path,
+                    force,
+                    stone,
+                    ratio,
+                }
+            }),
+            (load.force_n[2] > UPWARDS * size_n).then(|| {
+                let (force, stone) = size();
+                Doubted::LoadUpwards {
+                    path: name(),
+                    force,
+                    stone,
+                }
+            }),
+            (away_m > LOAD_OFF * longest_m).then(|| Doubted::LoadOff {
+                path: name(),
+                stone: stone.clone(),
+                away: metres(away_m),
+            }),
+        ];
+        for doubted in doubted.into_iter().flatten() {
             reader.doubt(&path, doubted);
         }
     }

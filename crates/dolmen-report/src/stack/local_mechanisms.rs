@@ -25,6 +25,10 @@ messages! {
         Turns => { en: "turns", ko: "회전" },
         Slides => { en: "slides", ko: "미끄러짐" },
         None => { en: "not found", ko: "없음" },
+        Pressed => {
+            en: "Local mechanisms of codes are not given: they move what presses on the stones as masses, and static loads have none.",
+            ko: "국부 메커니즘은 제시하지 않는다. 기준은 석재를 누르는 것을 질량으로 보고 함께 움직이지만 정하중에는 질량이 없다.",
+        },
         GroundByForce => { en: "ground", ko: "지반" },
         Meaning => {
             en: "α0 is the acceleration over gravity at which it moves, a0* = α0 g/(e* FC) with FC = 1.35, d0* the way of the oscillator until it overturns, d_SLV = 0.4 d0*, T_SLV the period for its check. Ground is the peak of the ground that the check by forces allows, 2 a0*: after a code's factor q = 2, not a first motion.",
@@ -41,6 +45,9 @@ messages! {
 pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
     let found = answer.local_mechanisms.as_deref().unwrap_or_default();
     if found.is_empty() {
+        if answer.local_mechanisms.is_some() && answer.stack.is_pressed() {
+            document.note(Local::Pressed);
+        }
         return;
     }
     let unit = |symbol: &str, factor: f64| Unit {

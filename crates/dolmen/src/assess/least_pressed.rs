@@ -6,7 +6,7 @@ use crate::stability::stack::{StackLimits, Threshold, driving_shaken};
 use crate::structure::stack::{Stack, StaticLoad};
 
 /// Largest number of times that the loads are chosen by the mechanism. Our choice: usually none changes after the first.
-const TURNS: usize = 4;
+pub(super) const TURNS: usize = 4;
 
 /// Without which of its static loads a stack moves first, and when.
 #[derive(Clone, Debug, PartialEq)]

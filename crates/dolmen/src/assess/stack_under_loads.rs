@@ -5,6 +5,7 @@
 //! | λ | `factor` | factor on wind and static loads, with unchanged weight | – |
 
 use super::AssessError;
+use super::least_pressed::TURNS;
 use super::loads_on_soil::factor_on_soil;
 use crate::stability::Verdict;
 use crate::stability::stack::{
@@ -224,9 +225,6 @@ impl Pushed {
 
 /// What grows, with the constant and the increasing loads.
 type Ray = (Grows, Vec<StaticLoad>, Vec<StaticLoad>);
-
-/// Largest number of times that the downward loads are chosen by the mechanism. Our choice: usually none changes after the first.
-const TURNS: usize = 4;
 
 /// Quantities that do not depend on the wind.
 struct Case<'a> {

@@ -62,8 +62,15 @@ struct ModeUnderSpectrum<'a> {
     participation: [f64; 2],
     /// S, m/s².
     spectral: f64,
-    /// √(1 − α²) in each of the two sums.
-    periodic: [f64; SUMS],
+    /// α in each of the two sums.
+    in_phase: [f64; SUMS],
+}
+
+impl ModeUnderSpectrum<'_> {
+    /// √(1 − α²) in one of the sums.
+    fn periodic(&self, sum: usize) -> f64 {
+        (1.0 - self.in_phase[sum].powi(2)).sqrt()
+    }
 }
 
 /// Number of sums over the modes: α = A₀/S on the rising branch of the spectrum alone, and for all modes with S ≥ A₀.
@@ -94,14 +101,14 @@ impl<'a> ModalDemand<'a> {
         for mode in modes.iter().filter(counts).take(MODES_MOST) {
             let period_s = 1.0 / mode.frequency_hz;
             let spectral = acceleration(site, period_s, ground)?;
-            let in_phase = [period_s <= site.spectrum.peaks_from_s(), true];
+            let may_be = [period_s <= site.spectrum.peaks_from_s(), true];
             shaken.push(ModeUnderSpectrum {
                 shape: &mode.shape,
                 participation: participation(stack, &mode.shape),
                 spectral,
-                periodic: in_phase.map(|may_be| match may_be && spectral >= ground {
-                    true => (1.0 - (ground / spectral).powi(2)).sqrt(),
-                    false => 1.0,
+                in_phase: may_be.map(|may_be| match may_be && spectral >= ground {
+                    true => ground / spectral,
+                    false => 0.0,
                 }),
             });
             frequencies.push(mode.frequency_hz);
@@ -223,7 +230,7 @@ impl<'a> ModalDemand<'a> {
             for (along, rigid) in sum.rigid.iter_mut().enumerate() {
                 *rigid = on(&|_| std::array::from_fn(|part| if part == along { self.ground } else { 0.0 }));
                 let modes = self.modes.iter().zip(&wrenches);
-                for (mode, wrench) in modes.filter(|(mode, _)| mode.periodic[of] == 1.0) {
+                for (mode, wrench) in modes.filter(|(mode, _)| mode.in_phase[of] == 0.0) {
                     add(rigid, -mode.participation[along] * self.ground, wrench);
                 }
             }
@@ -244,7 +251,7 @@ impl<'a> ModalDemand<'a> {
                     for (of, beside) in beside.iter_mut().enumerate() {
                         add(
                             beside,
-                            rho * push * mode.periodic[of] * other.periodic[of],
+                            rho * push * mode.periodic(of) * other.periodic(of),
                             wrench,
                         );
                     }

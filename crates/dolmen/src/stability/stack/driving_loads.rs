@@ -4,10 +4,9 @@
 //! each of them there or not. From a first mechanism, the loads that do work in it stay and the others go, until none changes.
 
 use super::StackLoads;
-use super::limit_acts::{LimitProblem, acts};
-use super::limit_along::{DirectionLimit, along, unit};
+use super::limit_along::{DirectionLimit, along, shaken_pieces, unit};
 use super::limit_options::Holding;
-use super::limit_pieces::{GrowingLoad, Piece, pieces};
+use super::limit_pieces::Piece;
 use super::load_factor::{GROWS, SteadyLoads, pieces_of};
 use crate::stability::StabilityError;
 use crate::structure::stack::{Stack, StaticLoad};
@@ -28,15 +27,7 @@ pub(crate) fn driving_shaken(
     asked: &[StaticLoad],
 ) -> Result<Option<Vec<bool>>, StabilityError> {
     let loads = loads.on_blocks(stack)?;
-    let problem = LimitProblem {
-        stack,
-        loads: &loads,
-        towards: None,
-        grows: false,
-        is_coarse: false,
-    };
-    let acts = acts(&problem, Holding::Cohesion);
-    let pieces = pieces(stack, &loads, &acts, GrowingLoad::Shaking, false);
+    let pieces = shaken_pieces(stack, &loads, Holding::Cohesion);
     driving(&pieces, unit(direction)?, (stack, asked))
 }
 

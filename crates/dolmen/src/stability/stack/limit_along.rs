@@ -6,6 +6,7 @@ use super::limit_options::Holding;
 use super::limit_pieces::{GrowingLoad, Piece, pieces};
 use super::limit_programme::{AccelerationSet, ProgrammeOutcome, rough};
 use super::limit_region::{Nearest, turned};
+use super::loads::Load;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -78,6 +79,19 @@ fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
     }
 }
 
+/// The pieces of a stack under shaking along any direction.
+pub(super) fn shaken_pieces(stack: &Stack, loads: &[Load], holding: Holding) -> Vec<Piece> {
+    let problem = LimitProblem {
+        stack,
+        loads,
+        towards: None,
+        grows: false,
+        is_coarse: false,
+    };
+    let acts = acts(&problem, holding);
+    pieces(stack, loads, &acts, GrowingLoad::Shaking, false)
+}
+
 /// Whether forces in the joints certainly balance weight and static loads, with shaking in both senses of one direction.
 ///
 /// # Errors
@@ -140,15 +154,7 @@ mod tests {
     fn agrees_with_the_programme_of_all_stress_blocks() {
         let stack = arch_that_crushes();
         let loads = StackLoads::default().on_blocks(&stack).unwrap();
-        let problem = LimitProblem {
-            stack: &stack,
-            loads: &loads,
-            towards: None,
-            grows: false,
-            is_coarse: false,
-        };
-        let acts = acts(&problem, Holding::FrictionOnly);
-        let pieces = pieces(&stack, &loads, &acts, GrowingLoad::Shaking, false);
+        let pieces = shaken_pieces(&stack, &loads, Holding::FrictionOnly);
         let mut few = pieces[0].programme(AccelerationSet::Plane);
         let mut all = pieces[0].programme(AccelerationSet::Plane).with_all_toes();
         for towards in [[1.0, 0.0], [0.6, 0.8]] {

@@ -13,11 +13,10 @@
 
 use super::StackLoads;
 use super::cuts::cuts;
-use super::limit_acts::{LimitProblem, acts};
-use super::limit_along::unit;
+use super::limit_along::{shaken_pieces, unit};
 use super::limit_mechanism::named;
 use super::limit_options::Holding;
-use super::limit_pieces::{GrowingLoad, Piece, pieces};
+use super::limit_pieces::Piece;
 use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
@@ -120,15 +119,7 @@ pub fn local_mechanisms(
         .map(|&direction| unit(direction))
         .collect::<Result<Vec<_>, _>>()?;
     let loads = StackLoads::default().on_blocks(stack)?;
-    let problem = LimitProblem {
-        stack,
-        loads: &loads,
-        towards: None,
-        grows: false,
-        is_coarse: false,
-    };
-    let acts = acts(&problem, Holding::Cohesion);
-    let pieces = pieces(stack, &loads, &acts, GrowingLoad::Shaking, false);
+    let pieces = shaken_pieces(stack, &loads, Holding::Cohesion);
     let limits: Vec<_> = ways.iter().map(|&way| Limit::of(&pieces, way)).collect();
     let each = ways.iter().zip(&limits).map(|(&way, limit)| {
         let limit = limit.as_ref().map_err(Clone::clone)?;
