@@ -101,6 +101,10 @@ messages! {
             en: "{path} acts {away} off '{stone}': are the coordinates of its position in another order, or in another unit?",
             ko: "{path}의 작용점이 ‘{stone}’에서 {away} 떨어져 있다. 좌표의 순서나 단위가 다르지 않은가?",
         },
+        WeightHolds { path: String, weight: Quantity } => {
+            en: "{path} is {weight}, and weight holds stones against wind and thrust: a combination with the same loads and at most their own weight (codes have 0.9 or 1) is missing",
+            ko: "{path}이(가) {weight}이나 자중은 풍하중과 추력에 저항한다. 같은 하중에 자중 계수가 1 이하인(기준은 0.9 또는 1) 하중조합이 없다",
+        },
         Frequency { path: String, measured: Quantity, model: Quantity, likely: Sentence } => {
             en: "{path}: {measured} was measured and the model has {model}. {likely}",
             ko: "{path}: 실측 {measured}, 모델 {model}. {likely}",

@@ -7,7 +7,7 @@ use super::content::Structure;
 use super::direction_slips::judge_directions;
 use super::doubted::Doubted;
 use super::frame::{FramePart, doubt_frame};
-use super::loads::LoadsPart;
+use super::loads::{CombinationPart, LoadsPart};
 use super::quantity::Quantity;
 use super::reader::Reader;
 use super::sensor_slips::judge_sensors;
@@ -47,7 +47,10 @@ pub(super) fn doubt(
             );
             frame_frequencies(reader, frame, surveys);
         }
-        Some(Structure::Stack(stack)) => doubt_stack(reader, stack),
+        Some(Structure::Stack(stack)) => {
+            doubt_stack(reader, stack);
+            heavier_than_it_is(reader, loads);
+        }
         Some(Structure::Building(building)) => {
             doubt_building(reader, building);
             match &building.damping {
@@ -73,6 +76,22 @@ pub(super) fn doubt(
     judge_directions(reader, structure, surveys);
     for motion in motions {
         turn(reader, motion);
+    }
+}
+
+/// Combinations that count only a weight that is larger than it is, although weight holds stones in their places.
+fn heavier_than_it_is(reader: &mut Reader, loads: &LoadsPart) {
+    let all = &loads.combinations;
+    let heavy = all.iter().filter(|of| of.weight > 1.0);
+    for of in heavy.filter(|of| of.wind != 0.0 || of.loads != 0.0) {
+        let covers = |other: &&CombinationPart| {
+            other.weight <= 1.0 && other.wind >= of.wind && other.loads >= of.loads
+        };
+        if let (Some(name), None) = (&of.name, all.iter().find(covers)) {
+            let path = format!("combination.{name}.weight");
+            let (name, weight) = (path.clone(), ratio(of.weight));
+            reader.doubt(&path, Doubted::WeightHolds { path: name, weight });
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Common to all short and full answers on a terminal: the decisive findings, how much more there is, and the notes on the file.
 
-use crate::document::{Finding, TextStyle, Tone, findings_text, heading_text, wrapped};
+use crate::document::{Finding, Role, TextStyle, Tone, findings_text, heading_text, wrapped};
 use crate::warned::warned;
 use dolmen_project::{Project, Warning, WarningKind};
 use dolmen_words::{Language, Sentence, messages};
@@ -43,28 +43,9 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
 }
 
 /// The findings that fit into a number of lines, and how much more there is.
-fn text_within(all: &[Finding], project: &Project, mut left: usize, style: TextStyle) -> String {
+fn text_within(all: &[Finding], project: &Project, left: usize, style: TextStyle) -> String {
     let key: Vec<&Finding> = all.iter().filter(|finding| finding.is_key).collect();
-    let mut by_weight: Vec<usize> = (0..key.len()).collect();
-    by_weight.sort_by_key(|&i| {
-        (
-            i > 0,
-            if is_asked_for(key[i]) {
-                0
-            } else {
-                rank(key[i].tone)
-            },
-        )
-    });
-    let mut shown = vec![false; key.len()];
-    for i in by_weight {
-        let lines = findings_text([key[i]], style).lines().count();
-        // a shorter finding may fit where a longer one does not
-        if lines <= left {
-            left -= lines;
-            shown[i] = true;
-        }
-    }
+    let shown = shown_within(&key, left, style);
     let is_hidden = |(i, finding): (usize, &&Finding)| !shown[i] && rank(finding.tone) < rank(Tone::Good);
     let to_act_on = key.iter().enumerate().filter(|of| is_hidden(*of)).count();
     let shown: Vec<&Finding> = key
@@ -82,12 +63,37 @@ fn text_within(all: &[Finding], project: &Project, mut left: usize, style: TextS
     findings_text(shown, style) + &more_text(project, more, style)
 }
 
+/// Which findings fit: the first one, answers with what qualifies them and bad ones, then the others by their tone.
+fn shown_within(key: &[&Finding], mut left: usize, style: TextStyle) -> Vec<bool> {
+    let qualified = |i: usize| match key[i].role {
+        Role::Qualifies => (0..i).rfind(|&before| key[before].role == Role::Answer),
+        Role::Answer | Role::Alone => None,
+    };
+    let mut by_weight: Vec<usize> = (0..key.len()).collect();
+    by_weight.sort_by_key(|&i| match (i, qualified(i)) {
+        (0, _) => 0,
+        (_, Some(_)) => 1,
+        _ if key[i].role == Role::Answer || key[i].tone == Tone::Bad || is_asked_for(key[i]) => 1,
+        _ => 2 + rank(key[i].tone),
+    });
+    let mut shown = vec![false; key.len()];
+    for i in by_weight {
+        let lines = findings_text([key[i]], style).lines().count();
+        // a shorter finding may fit where a longer one does not
+        if lines <= left && qualified(i).is_none_or(|answer| shown[answer]) {
+            left -= lines;
+            shown[i] = true;
+        }
+    }
+    shown
+}
+
 /// Whether a flag requested the result: samples, sensitivities.
 fn is_asked_for(finding: &Finding) -> bool {
     matches!(finding.code, Some("sensitivity" | "probability"))
 }
 
-/// Priority of findings for the available lines: the first one, those that require action, good ones, the rest.
+/// Priority of findings for the available lines, below answers: those that require action, good ones, the rest.
 fn rank(tone: Tone) -> u8 {
     match tone {
         Tone::Bad => 0,
@@ -139,4 +145,38 @@ pub(crate) fn note_text(project: &Project, note: &Warning, style: TextStyle) -> 
         message,
     };
     wrapped(&said(message, style.language), "  * ", "    ", style.columns())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Five lines are left: an answer goes before warnings, and what qualifies it goes nowhere without it.
+    #[test]
+    fn holds_answers_come_first_and_what_qualifies_them_only_beside_them() {
+        let style = TextStyle::plain();
+        let said = |text: &str| Sentence::of_symbol(text);
+        let long = "very ".repeat(2 * style.width / 5) + "long";
+        let shown = |all: &[Finding], left: usize| {
+            let key: Vec<&Finding> = all.iter().collect();
+            let shown = shown_within(&key, left, style);
+            let each = key.iter().zip(shown).filter(|of| of.1);
+            each.map(|(finding, _)| finding.sentence.text(Language::English))
+                .collect::<Vec<_>>()
+        };
+        let all = [
+            Finding::answer(Tone::Good, said("stands")),
+            Finding::key(Tone::Warn, said(&long)),
+            Finding::answer(Tone::Good, said("bears 2 times the wind")),
+            Finding::qualifies(Tone::Warn, said("an upper bound")),
+        ];
+        assert_eq!(
+            shown(&all, 3),
+            ["stands", "bears 2 times the wind", "an upper bound"]
+        );
+        assert_eq!(shown(&all, 9).len(), 4);
+        let long_answer = Finding::answer(Tone::Good, said(&long));
+        let without = [all[0].clone(), long_answer, all[3].clone()];
+        assert_eq!(shown(&without, 2), ["stands"]);
+    }
 }

@@ -16,6 +16,7 @@ use crate::simulation::{AfterFirst, Second, SimulateAnswer, Simulation, WithoutS
 use crate::stack::moving_supports::{Supported, supports};
 use crate::stack::simulate::{StackOptions, StackOutcome};
 use crate::stack::{Law, Repeating};
+use crate::state::{Check, State};
 use crate::tilt_left_out::TiltLeftOut;
 use crate::version::Version;
 use crate::{building, chain, frame, stack};
@@ -23,7 +24,7 @@ use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
 use dolmen::signal::Component;
 use dolmen::stability::Verdict;
-use dolmen_project::{Project, Quantity, Structure, parse_angle_rad};
+use dolmen_project::{Project, Quantity, StackPart, Structure, parse_angle_rad};
 use dolmen_records::Files;
 
 /// Options of a simulation. [`refuse_foreign`](crate::flags) refuses options that the kind does not use.
@@ -240,24 +241,17 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
-/// State of a chain, frame or building without any shaking, if it is not "stable": for a chain or frame with its static loads and wind, for
-/// a frame also with its lean. For a stack, the check contains it.
+/// State of a structure without any shaking, if it is not "stable": with its static loads and wind, for a frame also with its lean. Without
+/// loads a stack that does not stand is not simulated.
 fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
     let asks_check = match &project.structure {
-        Structure::Chain(_) => !project.loads.is_empty(),
+        Structure::Chain(_) | Structure::Stack(_) => !project.loads.is_empty(),
         Structure::Frame(part) => part.lean.is_some() || !project.loads.is_empty(),
-        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+        Structure::Building(_) | Structure::Survey => false,
     };
     if asks_check {
         let state = state_of(project, &CheckOptions::default())?;
-        let found = state.map(|state| {
-            let weight = Weight::of(&state, false);
-            WithoutShaking {
-                weight,
-                governed_by: governing(&state, weight),
-            }
-        });
-        return Ok(found.filter(|found| found.weight != Weight::Stable));
+        return Ok(state.as_ref().and_then(unless_stable));
     }
     let factor = kinds::least_load_factor(project, &mut Quantity::nominal)?;
     let weight = match factor.map(Verdict::of_load_factor) {
@@ -270,6 +264,15 @@ fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkErro
         weight,
         governed_by: None,
     }))
+}
+
+/// That of a checked structure; `None` if it is "stable".
+fn unless_stable(state: &State) -> Option<WithoutShaking> {
+    let weight = Weight::of(state, false);
+    (weight != Weight::Stable).then(|| WithoutShaking {
+        weight,
+        governed_by: governing(state, weight),
+    })
 }
 
 fn stack_options(options: &SimulateOptions) -> StackOptions {
@@ -401,6 +404,26 @@ fn rest_of(simulations: &[Simulation]) -> Option<AtRest> {
     all.into_iter().reduce(AtRest::worse)
 }
 
+/// A stack on supports that move, with its check.
+fn on_moving_supports(
+    version: &Version<'_>,
+    part: &StackPart,
+    how: &StackOptions,
+    progress: &dyn Progress,
+    answer: &mut SimulateAnswer,
+) -> Result<(), WorkError> {
+    let state = state_of(version.project, &CheckOptions::default())?;
+    answer.without_shaking = state.as_ref().and_then(unless_stable);
+    let Some(Check::Stack(checked)) = state.map(|state| state.check) else {
+        return Err(WorkError::NoMotionPrepared);
+    };
+    match supports(version, part, (*checked, how), progress)? {
+        Supported::Moved(run) => answer.simulations.push(Simulation::Supports(run)),
+        Supported::DoesNotStand(why) => answer.does_not_stand = Some(why),
+    }
+    Ok(())
+}
+
 /// The run of one motion, or of none.
 fn run_one(
     version: &Version<'_>,
@@ -414,7 +437,11 @@ fn run_one(
         variant: version.variant.map(str::to_owned),
         does_not_stand: None,
         evidence: evidence(version.project, version.variant)?,
-        without_shaking: without_shaking(version.project)?,
+        without_shaking: match (&version.project.structure, &motion) {
+            // its own check follows
+            (Structure::Stack(_), None) => None,
+            _ => without_shaking(version.project)?,
+        },
         tilt_beyond_limit: version.variant.is_none() && is_tilt_beyond(version.project),
         tilt_left_out: TiltLeftOut::of_runs(version.project),
         drift_left: drift_left(version.project),
@@ -460,10 +487,7 @@ fn run_one(
         }
         (Structure::Stack(part), None) => {
             let how = stack_options(options);
-            match supports(version, part, &how, progress)? {
-                Supported::Moved(run) => answer.simulations.push(Simulation::Supports(run)),
-                Supported::DoesNotStand(why) => answer.does_not_stand = Some(why),
-            }
+            on_moving_supports(version, part, &how, progress, &mut answer)?;
         }
         (_, None) => return Err(WorkError::NoMotionPrepared),
         (Structure::Frame(part), Some(motion)) => {

@@ -40,9 +40,10 @@ fn exact_two_leaves_without_through_stones_bear_what_one_bears() {
         words.contains("begins to move between 0.0667 g and 0.0869 g"),
         "{words}"
     );
+    let (_, full) = said("two-leaves", &leaves(0.0), "check project.toml --full");
     assert!(
-        words.contains("would hold 0.0869 g, which is an upper bound"),
-        "{words}"
+        full.contains("would hold 0.0869 g, which is an upper bound"),
+        "{full}"
     );
 }
 

@@ -97,6 +97,56 @@ fn holds_loads_in_another_unit_upwards_or_off_their_stone_are_doubted() {
     }
 }
 
+/// Weight holds a pillar against a push: a combination that only makes it heavier leaves the worse case out.
+#[test]
+fn holds_a_combination_with_more_weight_alone_is_doubted_and_slips_of_bonds_and_movements_are_refused() {
+    let with = |joint: &str, more: &str| {
+        format!(
+            "schema = 1\nkind = \"stack\"\nname = \"Pillar\"\ndensity = 2500\njoint = {{ friction = 0.7{joint} }}\n\
+            blocks = [{{ name = \"pillar\", width = 1, depth = 1, height = 3 }}]\n{more}"
+        )
+    };
+    let push = "loads = [{ name = \"p\", at = \"pillar\", force = [\"2 kN\", 0, 0] }]\n[combination.heavy]\nweight = 1.35\nloads = 1.5\n";
+    let light = format!("{push}[combination.light]\nweight = 0.9\nloads = 1.5\n");
+    let doubt = "weight holds stones against wind and thrust";
+    assert!(said("pillar-heavy", &with("", push), "check project.toml").contains(doubt));
+    assert!(!said("pillar-light", &with("", &light), "check project.toml").contains(doubt));
+    for (joint, more, wrong) in [
+        (", cohesion = 200", "", "mortar has 10 kPa to 1 MPa"),
+        (
+            "",
+            "support_movement = [{ on = \"pillar\", x = 30 }]\n",
+            "supports move by millimetres",
+        ),
+    ] {
+        let scratch = Scratch::with_examples("pillar-slip");
+        fs::write(scratch.path().join("project.toml"), with(joint, more)).unwrap();
+        let answer = scratch.dolmen("check project.toml");
+        let refused = answer.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            answer.status == 2 && refused.contains(wrong),
+            "{wrong}: {refused}"
+        );
+    }
+}
+
+/// The wind that a wall bears, an upper bound, and the caveat that makes it one: together, or neither.
+#[test]
+fn holds_the_short_answer_gives_the_factor_of_the_wind_and_what_qualifies_it() {
+    let text = "schema = 1\nkind = \"stack\"\nname = \"Wall\"\ndensity = 2400\njoint = { friction = 0.6 }\n\
+        wall = { length = 1.8, thickness = 1.2, core = 0.4, leaves = 2, courses = 5, course_height = 0.3, stone_length = 0.6, through_every = 5 }\n\
+        wind = { pressure = 800, means = \"gust\", force_coefficient = 1.4 }\n";
+    let short = briefly("wall-in-wind", text, "check project.toml");
+    assert!(short.contains("The wind of the file: "), "{short}");
+    assert!(short.contains("the factor is an upper bound"), "{short}");
+    assert!(!short.contains("at its limit"), "{short}");
+    let full = said("wall-in-wind", text, "check project.toml");
+    assert!(
+        full.contains("The wind of the file: at its limit joints open"),
+        "{full}"
+    );
+}
+
 /// A dowel holds a pillar in the wind and is left out of what it bears: the short answer says so.
 #[test]
 fn holds_the_short_answer_says_that_a_tie_is_left_out_and_the_full_one_gives_both() {

@@ -339,7 +339,8 @@ fn refuses_a_tie_or_side_support_nowhere_near_what_it_holds() {
     };
     let near = check("tie-near", &tie("[0, 0, 0.5]"), "");
     assert_eq!(near.status, 0, "{}", near.stderr);
-    for position in ["[0, 0, 3]", "[5, 0, 0.5]"] {
+    // the last lies above the base, but 0.28 m off the stele
+    for position in ["[0, 0, 3]", "[5, 0, 0.5]", "[0.48, 0, 0.5]"] {
         let far = check("tie-far", &tie(position), "");
         assert_eq!(far.status, 2, "{position}: {}", far.stdout);
         assert!(far.stderr.contains("a tie"), "{}", far.stderr);
@@ -376,6 +377,23 @@ fn holds_an_arch_that_does_not_stand_its_movement_is_unstable() {
         assert_eq!(answer.status, status, "{movement}: {printed}{}", answer.stderr);
         assert!(printed.contains(said), "{movement}: {printed}");
     }
+    // the headline of a run holds what the check says of the loads in the file
+    let loaded = arch("x = \"20 mm\"")
+        + "loads = [{ name = \"q\", at = \"voussoir 3\", force = [0, 0, \"-1 kN\"] }]\n\
+        [combination.more]\nloads = 1.5\n";
+    for verb in ["check project.toml", "simulate project.toml --law rigid"] {
+        let scratch = Scratch::with_examples("spreading-loaded");
+        fs::write(scratch.path().join("project.toml"), &loaded).unwrap();
+        let answer = scratch.briefly(verb);
+        assert!(
+            answer
+                .words()
+                .contains("VERDICT Weight and loads: unknown under combination more"),
+            "{verb}: {}{}",
+            answer.stdout,
+            answer.stderr
+        );
+    }
     let answer = check(
         "spreading-refused",
         &arch("x = \"1 mm\"").replace("voussoir 10\"", "keystone\""),
@@ -396,6 +414,24 @@ fn holds_a_study_whose_least_size_fells_says_so() {
         answer.stdout,
         answer.stderr
     );
+}
+
+/// No level between .2 and .4 g, or .4 and .8 g, was tried: a step of the scan is said with both its ends.
+#[test]
+fn exact_a_state_that_begins_between_two_levels_is_said_with_both() {
+    let scratch = Scratch::with_examples("levels-apart");
+    let study = "[study.s]\nartificial = { count = 3, seed = 3, duration_s = 8 }\npeak = [\"0.2 g\", \"0.4 g\", \"0.8 g\"]\nrefine = 0\n";
+    let pillar = "schema = 1\nkind = \"stack\"\nname = \"Pillar\"\ndensity = 2400\n\
+        joint = { friction = 0.6, normal_stiffness = 5e9, shear_stiffness = 2e9 }\n\
+        blocks = [{ name = \"base\", width = 1.5, height = 0.5 }, { name = \"pillar\", width = 0.5, height = 1.5 }]\n";
+    fs::write(scratch.path().join("project.toml"), format!("{pillar}{study}")).unwrap();
+    let words = scratch.briefly("study project.toml").words();
+    for said in [
+        "“falls”, the weakest between 0.400 g and 0.800 g",
+        "DS1 between 0.200 g and 0.400 g",
+    ] {
+        assert!(words.contains(said), "{said}: {words}");
+    }
 }
 
 #[test]

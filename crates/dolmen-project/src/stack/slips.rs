@@ -36,7 +36,7 @@ const STIFFNESS_USUAL_PA_M: f64 = 1e9;
 /// Shear over normal stiffness: elastic contact has 0.3 to 1.
 const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
 /// Strength of a bond, Pa: lime mortar has 1e4 to 1e6.
-const STRENGTH_MOST_PA: f64 = 2e7;
+const BOND_PA: (f64, f64) = (1e3, 2e7);
 
 /// Compressive strength of a joint, Pa: a soft lime mortar has 5e5, quartzite 4e8.
 const CRUSHES_PA: (f64, f64) = (1e5, 1e9);
@@ -413,7 +413,7 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
         }
     }
     for strength in bed.cohesion.iter().chain(&bed.tension) {
-        if strength.value > STRENGTH_MOST_PA {
+        if strength.value != 0.0 && !within(strength.value, BOND_PA) {
             let message = StackSlip::ButMortarHasKpa {
                 path: strength.path.to_string(),
                 written: strength.written.to_string(),

@@ -1,4 +1,4 @@
-//! Probable slips in dowels, clamps and side supports.
+//! Probable slips in dowels, clamps, side supports and movements of supports.
 
 use super::part::StackPart;
 use crate::reader::Reader;
@@ -13,6 +13,8 @@ const TIE_STRENGTH_N: (f64, f64) = (10.0, 5e7);
 const BESIDE_STIFFNESS_N_M: (f64, f64) = (1e4, 1e11);
 /// Largest gap to it, m. Our choice.
 const GAP_MOST_M: f64 = 2.0;
+/// Largest movement of a support, m: the collapse of a large bridge arch takes less. Our choice.
+const MOVEMENT_MOST_M: f64 = 2.0;
 
 pub(super) fn judge_held(reader: &mut Reader, stack: &StackPart) {
     for tie in &stack.ties {
@@ -52,5 +54,14 @@ pub(super) fn judge_held(reader: &mut Reader, stack: &StackPart) {
             let help = guess(1000.0, unit_of(gap));
             reader.slip(&gap.path, StackSlip::BesideGap { path, written }, help);
         }
+    }
+    let movements = stack
+        .support_movement
+        .iter()
+        .flat_map(|of| of.movement.iter().flatten());
+    for by in movements.filter(|by| by.value.abs() > MOVEMENT_MOST_M) {
+        let (path, written) = (by.path.clone(), by.written.clone());
+        let help = guess(1000.0, unit_of(by));
+        reader.slip(&by.path, StackSlip::Movement { path, written }, help);
     }
 }

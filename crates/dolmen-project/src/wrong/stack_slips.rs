@@ -33,6 +33,10 @@ messages! {
             en: "{path} = {written}, but stones that move by 2 m have fallen",
             ko: "{path} = {written}인데 석재가 2 m 움직이면 이미 낙하한 것이다",
         },
+        Movement { path: String, written: String } => {
+            en: "{path} = {written}, but supports move by millimetres to decimetres",
+            ko: "{path} = {written}인데 지점 변위는 보통 수 mm~수십 cm이다",
+        },
         ForceUnits => {
             en: "a stiffness is a force per length, \"20 kN/mm\", a strength a force, \"15 kN\"; bare numbers are in N/m and N unless units are given for them",
             ko: "강성은 단위 길이당 힘(\"20 kN/mm\"), 강도는 힘(\"15 kN\")이다. 단위 없는 수는 units가 없으면 N/m, N이다",

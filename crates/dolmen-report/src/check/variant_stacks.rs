@@ -14,12 +14,12 @@ messages! {
     /// The first motion of a variant of a stack.
     pub(crate) enum StackVariant in "check.variant-stacks" {
         Moves { variant: Both, to: Quantity, from: Quantity, verdict: Both } => {
-            en: "Variant “{variant}” first moves at {to}, the structure as it is at {from}: {verdict}.",
-            ko: "대안 ‘{variant}’의 거동 시작 가속도는 {to}이다(현 상태 {from}): {verdict}.",
+            en: "Variant “{variant}” first moves at {to}, the structure as it is at {from}: own weight {verdict}.",
+            ko: "대안 ‘{variant}’의 거동 시작 가속도는 {to}이다(현 상태 {from}): 자중 {verdict}.",
         },
         MovesAlike { variant: Both, at: Quantity, verdict: Both } => {
-            en: "Variant “{variant}” leaves the first motion at {at}: {verdict}.",
-            ko: "대안 ‘{variant}’에서 거동 시작 가속도는 {at}(으)로 같다: {verdict}.",
+            en: "Variant “{variant}” leaves the first motion at {at}: own weight {verdict}.",
+            ko: "대안 ‘{variant}’에서 거동 시작 가속도는 {at}(으)로 같다: 자중 {verdict}.",
         },
         Stands { variant: Both, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” first moves at {to}, and the structure as it is falls under its own weight: {verdict}.",

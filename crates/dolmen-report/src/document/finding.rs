@@ -47,10 +47,22 @@ impl Tone {
     }
 }
 
+/// What a finding is to those beside it in a short answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// It answers a question of the file, and is shown before all others.
+    Answer,
+    /// It says how the answer before it has to be read, and is shown only with that.
+    Qualifies,
+    /// Neither.
+    Alone,
+}
+
 /// One finding.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Finding {
     pub(crate) tone: Tone,
+    pub(crate) role: Role,
     /// Whether it is part of a short answer: what decides, how certain it is, what to do next.
     pub(crate) is_key: bool,
     /// The code for `dolmen explain`, if there is a longer explanation.
@@ -64,6 +76,7 @@ impl Finding {
     pub(crate) fn new(tone: Tone, sentence: impl Into<Sentence>) -> Self {
         Finding {
             tone,
+            role: Role::Alone,
             is_key: false,
             code: None,
             sentence: sentence.into(),
@@ -75,6 +88,22 @@ impl Finding {
         Finding {
             is_key: true,
             ..Self::new(tone, sentence)
+        }
+    }
+
+    /// The answer to a question of the file.
+    pub(crate) fn answer(tone: Tone, sentence: impl Into<Sentence>) -> Self {
+        Finding {
+            role: Role::Answer,
+            ..Self::key(tone, sentence)
+        }
+    }
+
+    /// How the answer before it has to be read.
+    pub(crate) fn qualifies(tone: Tone, sentence: impl Into<Sentence>) -> Self {
+        Finding {
+            role: Role::Qualifies,
+            ..Self::key(tone, sentence)
         }
     }
 

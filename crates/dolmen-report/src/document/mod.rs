@@ -13,7 +13,7 @@ mod text_table;
 mod words;
 
 pub(crate) use blocks::{Block, Cell, Column, Document, Figure, Table};
-pub(crate) use finding::{Finding, Tone};
+pub(crate) use finding::{Finding, Role, Tone};
 pub(crate) use formula::{Equation, Math, linear};
 pub(crate) use html::{block_html, document_html, findings_html, numbered};
 pub(crate) use numbers::{Label, Numbers, figure_label, table_label};

@@ -2,7 +2,7 @@
 
 use super::words::{DIGITS, Found, what};
 use super::{on_buildings, on_frames};
-use crate::document::{Finding, Tone};
+use crate::document::{Finding, Role, Tone};
 use crate::simulated::kilo;
 use crate::stack::{direction, joints_moving};
 use dolmen::assess::StackUnderLoads;
@@ -145,22 +145,23 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(
         answer
             .worst()
-            .and_then(|worst| of_combination((project, answer), worst, stack)),
+            .map(|worst| of_combination((project, answer), worst, stack))
+            .unwrap_or_default(),
     );
     if stack.is_some_and(|stack| !stack.support_movements().is_empty()) && !answer.combinations.is_empty() {
-        all.push(Finding::key(Tone::Warn, Found::BeforeMoved));
+        all.push(Finding::qualifies(Tone::Warn, Found::BeforeMoved));
     }
     let under = answer.worst().and_then(CombinationAnswer::stack);
     all.extend(under.into_iter().flat_map(lessened));
     match under.and_then(|under| under.dilating_factor) {
         Some(dilating) => {
             let dilating = Quantity::beside_one(dilating, DIGITS);
-            all.push(Finding::key(Tone::Warn, Found::SlidesSmooth(dilating)));
+            all.push(Finding::qualifies(Tone::Warn, Found::SlidesSmooth(dilating)));
         }
         None if under.is_some_and(|under| under.found.slides())
             && stack.is_some_and(|stack| !is_pile(stack)) =>
         {
-            all.push(Finding::key(Tone::Warn, Found::Slides));
+            all.push(Finding::qualifies(Tone::Warn, Found::Slides));
         }
         None => {}
     }
@@ -174,7 +175,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
             true => Found::NoResonanceOfKds(frequency),
             false => Found::NoResonance(frequency),
         };
-        all.push(Finding::key(Tone::Warn, said));
+        all.push(Finding::qualifies(Tone::Warn, said));
     }
     if !answer.has_wind {
         all.extend(no_wind(project, state));
@@ -195,55 +196,65 @@ fn lessened(under: &StackUnderLoads) -> Vec<Finding> {
         false => Found::FootingTurnsAlone,
     });
     let all = crushed.into_iter().chain(turned);
-    all.map(|said| Finding::key(Tone::Warn, said)).collect()
+    all.map(|said| Finding::qualifies(Tone::Warn, said)).collect()
 }
 
 fn of_combination(
     (project, answer): (&Project, &LoadsAnswer),
     worst: &CombinationAnswer,
     stack: Option<&Stack>,
-) -> Option<Finding> {
-    match (&worst.of, stack) {
+) -> Vec<Finding> {
+    let only = match (&worst.of, stack) {
         (Combined::Chain(chain), _) => of_chain(what(answer, worst), chain),
-        (Combined::Stack(under), Some(stack)) => Some(of_stack(what(answer, worst), under, stack)),
-        (Combined::Stack(_), None) => None,
+        (Combined::Stack(under), Some(stack)) => return of_stack(what(answer, worst), under, stack),
         (Combined::Frame(frame), _) => on_frames::borne(project, what(answer, worst), frame),
-        (Combined::Building(_), _) => None,
-    }
+        (Combined::Stack(_), None) | (Combined::Building(_), _) => None,
+    };
+    let answers = only.map(|found| Finding {
+        role: Role::Answer,
+        ..found
+    });
+    answers.into_iter().collect()
 }
 
-/// The capacity of a stack under a combination.
-fn of_stack(what: Sentence, under: &StackUnderLoads, stack: &Stack) -> Finding {
+/// The capacity of a stack under a combination, and what moves at its limit.
+fn of_stack(what: Sentence, under: &StackUnderLoads, stack: &Stack) -> Vec<Finding> {
     let verdict = under.verdict();
     let tone = Tone::of(verdict);
     let factor = under.found.factor;
+    if factor == 0.0 {
+        return vec![Finding::answer(tone, Found::Falls(what))];
+    }
+    if factor.is_infinite() {
+        return vec![Finding::answer(tone, Found::NothingMoves(what))];
+    }
     let moving = joints_moving(stack, under.found.mechanism.as_ref());
-    let moves = match (moving, under.wind_to) {
-        (Some(joints), Some(to)) => Found::MovesInWind {
+    let moves = match (moving, under.wind_to.map(direction)) {
+        (Some(joints), Some(direction)) => Found::MovesInWind {
+            what: what.clone(),
             joints,
-            direction: direction(to),
+            direction,
         },
-        (Some(joints), None) => Found::Moves(joints),
-        (None, Some(to)) => Found::Towards(direction(to)),
-        (None, None) => Found::NoMechanism,
+        (Some(joints), None) => Found::Moves {
+            what: what.clone(),
+            joints,
+        },
+        (None, Some(direction)) => Found::Towards {
+            what: what.clone(),
+            direction,
+        },
+        (None, None) => Found::NoMechanism { what: what.clone() },
     };
-    let moves: Sentence = moves.into();
-    let said = match (factor == 0.0, factor.is_finite(), verdict) {
-        (true, ..) => Found::Falls(what),
-        (_, false, _) => Found::NothingMoves(what),
-        (_, _, Verdict::Unstable) => Found::StackFalls {
+    let factor = Quantity::beside_one(factor, DIGITS);
+    let borne = match verdict {
+        Verdict::Unstable => Found::StackFalls { what, factor },
+        Verdict::Stable | Verdict::Marginal | Verdict::Unknown => Found::StackBears {
             what,
-            factor: Quantity::beside_one(factor, DIGITS),
-            moves,
-        },
-        _ => Found::StackBears {
-            what,
-            factor: Quantity::beside_one(factor, DIGITS),
+            factor,
             stable: Quantity::ratio(Verdict::MARGINAL_BELOW, 2),
-            moves,
         },
     };
-    Finding::key(tone, said)
+    vec![Finding::answer(tone, borne), Finding::new(Tone::Plain, moves)]
 }
 
 fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {

@@ -112,24 +112,30 @@ messages! {
             en: "{what}: {storey} leans by {lean} of its height in direction {direction}; {allowed} is allowed.",
             ko: "{what}: {direction} 방향 {storey}의 층간변위각은 {lean}이며 허용값은 {allowed}이다.",
         },
-        StackFalls { what: Sentence, factor: Quantity, moves: Sentence } => {
-            en: "{what}: the stones do not bear it; {factor} times the load is borne. {moves}",
-            ko: "{what}: 석재가 견디지 못한다. 하중의 {factor}배에서 한계에 이른다. {moves}",
+        StackFalls { what: Sentence, factor: Quantity } => {
+            en: "{what}: the stones do not bear it; {factor} times the load is borne.",
+            ko: "{what}: 석재가 견디지 못한다. 하중의 {factor}배에서 한계에 이른다.",
         },
-        StackBears { what: Sentence, factor: Quantity, stable: Quantity, moves: Sentence } => {
-            en: "{what}: {factor} times the load is borne; “stable” needs {stable}. {moves}",
-            ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. {moves}",
+        StackBears { what: Sentence, factor: Quantity, stable: Quantity } => {
+            en: "{what}: {factor} times the load is borne; “stable” needs {stable}.",
+            ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다.",
         },
-        MovesInWind { joints: Sentence, direction: Sentence } => {
-            en: "Then {joints}, the wind blowing towards {direction}.",
-            ko: "이때 {joints}이며 풍향은 {direction} 방향이다.",
+        MovesInWind { what: Sentence, joints: Sentence, direction: Sentence } => {
+            en: "{what}: at its limit {joints}, the wind blowing towards {direction}.",
+            ko: "{what}: 한계에서 {joints}이며 풍향은 {direction} 방향이다.",
         },
-        Moves(joints: Sentence) => { en: "Then {joints}.", ko: "이때 {joints}이다." },
-        Towards(direction: Sentence) => {
-            en: "The worst wind blows towards {direction}.",
-            ko: "가장 불리한 풍향은 {direction} 방향이다.",
+        Moves { what: Sentence, joints: Sentence } => {
+            en: "{what}: at its limit {joints}.",
+            ko: "{what}: 한계에서 {joints}이다.",
         },
-        NoMechanism => { en: "What moves then was not found.", ko: "이때의 거동은 찾지 못하였다." },
+        Towards { what: Sentence, direction: Sentence } => {
+            en: "{what}: the worst wind blows towards {direction}.",
+            ko: "{what}: 가장 불리한 풍향은 {direction} 방향이다.",
+        },
+        NoMechanism { what: Sentence } => {
+            en: "{what}: what moves at its limit was not found.",
+            ko: "{what}: 한계에서의 거동은 찾지 못하였다.",
+        },
         NothingMoves(what: Sentence) => {
             en: "{what}: nothing that it asks moves a stone, at ten times the weight of the whole either.",
             ko: "{what}: 전체 자중의 10배에 이르도록 하중을 키워도 움직이는 석재가 없다.",

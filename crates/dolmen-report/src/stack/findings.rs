@@ -52,7 +52,7 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         false => Tone::of(check.verdict),
     };
     all.extend(decided);
-    all.push(Finding::key(own, banner(answer)));
+    all.push(Finding::answer(own, banner(answer)));
     all.extend(others);
     match (&check.limits.governing, moves_together(check)) {
         (Some(first), None) => {
@@ -113,7 +113,6 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::FrictionStood => Finding::key(Tone::Plain, said),
         StackNote::FrictionNoRest | StackNote::FrictionNotRun { .. } => Finding::key(Tone::Unknown, said),
         StackNote::FrictionCarries
-        | StackNote::WithoutDilatancy { .. }
         | StackNote::UpperBound
         | StackNote::BondCarries
         | StackNote::CohesionCounted
@@ -131,7 +130,9 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::SideSupportsLeftOut | StackNote::TensionLeftOut | StackNote::TiesLeftOut => {
             Finding::key(Tone::Warn, said)
         }
-        StackNote::SharedLoad
+        // the banner has both bounds of dilatancy
+        StackNote::WithoutDilatancy { .. }
+        | StackNote::SharedLoad
         | StackNote::SliversLeftOut { .. }
         | StackNote::LoadsWithoutMass { .. }
         | StackNote::AnalysisLower { .. }

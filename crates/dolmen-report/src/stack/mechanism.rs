@@ -7,8 +7,10 @@ use dolmen_words::message::Run;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::StackAnswer;
 
-/// Largest number of joints named in a sentence; the table has all.
-const NAMED_MOST: usize = 8;
+/// Largest number of joints that a sentence names one by one; the table has all.
+const NAMED_MOST: usize = 6;
+/// Number that it names where there are more.
+const NAMED_OF_MORE: usize = 3;
 
 messages! {
     /// The mechanism of a stack.
@@ -63,17 +65,16 @@ pub(crate) fn joints_moving(stack: &Stack, mechanism: Option<&Mechanism>) -> Opt
             .filter(|moving| motions.contains(&moving.motion))
             .map(|moving| between(stack, moving))
             .collect();
-        let named = listed(names.get(..NAMED_MOST).unwrap_or(&names));
         match names.len() {
             0 => None,
             count if count > NAMED_MOST => Some(
                 Moving::More {
-                    joints: named,
-                    more: count - NAMED_MOST,
+                    joints: listed(&names[..NAMED_OF_MORE]),
+                    more: count - NAMED_OF_MORE,
                 }
                 .into(),
             ),
-            _ => Some(named),
+            _ => Some(listed(&names)),
         }
     };
     let crushing = of(&[JointMotion::Crushes]);

@@ -22,8 +22,8 @@ messages! {
             ko: "한계해석만이 한계를 준다: {analysis}.",
         },
         Between { at_least: Quantity, analysis: Quantity } => {
-            en: "The limit analysis found balance in every direction up to {at_least}, and none at {analysis} in one: use the lower.",
-            ko: "한계해석에서 모든 방향으로 {at_least}까지는 평형이 확인되었고 한 방향에서 {analysis}에는 평형이 없다. 낮은 값을 사용해야 한다.",
+            en: "The limit analysis found balance in every direction up to {at_least}, and none at {analysis} in one: the lower counts.",
+            ko: "한계해석에서 모든 방향으로 {at_least}까지는 평형이 확인되었고 한 방향에서 {analysis}에는 평형이 없다. 낮은 값을 기준으로 판정한다.",
         },
         Falls => {
             en: "Joint by joint it seems to stand, but no forces in the joints balance its weight.",

@@ -24,12 +24,16 @@ messages! {
         Up { by: Quantity } => { en: "{by} up", ko: "위로 {by}" },
         Down { by: Quantity } => { en: "{by} down", ko: "아래로 {by}" },
         StandsUpTo { movements: Sentence, factor: Quantity, length: Quantity } => {
-            en: "Supports that move: {movements}. It stands under that, and up to {factor} times as much ({length}); beyond, no forces in the joints balance the weight. Stones that slide or meet anew are not followed: «`dolmen simulate`|a simulation in time» follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
-            ko: "지점 변위: {movements}. 이 변위에서 서 있으며 그 {factor}배({length})까지 서 있다. 그 이상에서는 자중과 평형을 이루는 접합력이 존재하지 않는다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 «`dolmen simulate`|지진응답 검토»의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
+            en: "Supports that move: {movements}. It stands under that, and up to {factor} times as much ({length}).",
+            ko: "지점 변위: {movements}. 이 변위에서 서 있으며 그 {factor}배({length})까지 서 있다.",
         },
         StandsBeyond { movements: Sentence, factor: Quantity, length: Quantity } => {
-            en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood. Stones that slide or meet anew are not followed: «`dolmen simulate`|a simulation in time» follows them, and may find less. The acceleration and the tilt at which it begins to move are those before that.",
-            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 안정을 유지하였다. 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 «`dolmen simulate`|지진응답 검토»의 값은 더 작을 수 있다. 움직이기 시작하는 가속도와 경사는 지점이 움직이기 전의 값이다.",
+            en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood.",
+            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 안정을 유지하였다.",
+        },
+        NotSeen => {
+            en: "Stones that slide or meet anew as the supports move are not followed: «`dolmen simulate`|a simulation in time» follows them, and may find less. The acceleration at which it begins to move is that before the supports moved.",
+            ko: "지점이 움직일 때 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 «`dolmen simulate`|지진응답 검토»의 값은 더 작을 수 있다. 움직이기 시작하는 가속도는 지점이 움직이기 전의 값이다.",
         },
         FallsBefore { movements: Sentence, factor: Quantity, length: Quantity } => {
             en: "Supports that move: {movements}. It does not stand under that: beyond {factor} of it ({length}) no forces in the joints balance the weight.",
@@ -90,7 +94,10 @@ pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     let Some(supports) = &answer.check.supports else {
         return Vec::new();
     };
-    let mut all = vec![Finding::key(tone(supports), said(&answer.stack, supports))];
+    let mut all = vec![Finding::answer(tone(supports), said(&answer.stack, supports))];
+    if supports.given.is_some() {
+        all.push(Finding::qualifies(Tone::Warn, Supports::NotSeen));
+    }
     let begins = match joints_moving(&answer.stack, supports.small.mechanism.as_ref()) {
         Some(joints) => Supports::Hinges { joints },
         None => Supports::NoHinges,
@@ -98,7 +105,7 @@ pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     all.push(Finding::new(Tone::Plain, begins));
     if slips(&answer.stack, supports) {
         let slip = millimetres(supports.last.slip_m);
-        all.push(Finding::key(Tone::Warn, Supports::Slips { slip }));
+        all.push(Finding::qualifies(Tone::Warn, Supports::Slips { slip }));
     }
     all
 }

@@ -7,6 +7,9 @@ use dolmen::assess::{AssessError, FragilityBound, FragilityFit, Reached};
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::study::{LevelRow, SCANS_OF_TAILS, StudyAnswer, StudyKind, input_words};
 
+/// Width of an interval, relative to its upper end, from which both ends are given: the step that a refined scan has. Our choice.
+const WIDE: f64 = 0.1;
+
 messages! {
     /// Capacities.
     pub(crate) enum Capacities in "study.capacities" {
@@ -24,9 +27,13 @@ messages! {
             ko: "{state} {motion}만으로 이미 도달",
         },
         HalfAt { state: Sentence, median: Quantity } => { en: "{state} at {median}", ko: "{state} {median}" },
-        HalfAtWithCurve { state: Sentence, median: Quantity, theta: Quantity } => {
-            en: "{state} at {median} ({theta} by the fitted curve)",
-            ko: "{state} {median}(취약도 곡선의 중앙값 {theta})",
+        HalfBetween { state: Sentence, low: Quantity, median: Quantity } => {
+            en: "{state} between {low} and {median}",
+            ko: "{state} {low}~{median}",
+        },
+        WithCurve { half: Sentence, theta: Quantity } => {
+            en: "{half} ({theta} by the fitted curve)",
+            ko: "{half}(취약도 곡선의 중앙값 {theta})",
         },
         Stack => {
             en: "Peak acceleration of the ground at which a stone first falls.",
@@ -192,6 +199,11 @@ fn milder_median(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell {
     }
 }
 
+/// Whether the peaks at both ends of an interval differ so much that both are given.
+pub(super) fn is_interval(low_m_s2: f64, high_m_s2: f64) -> bool {
+    low_m_s2 < (1.0 - WIDE) * high_m_s2
+}
+
 /// Whether a peak is the smallest one tried, so that the true value may be lower.
 fn is_least_tried(answer: &StudyAnswer, value_m_s2: f64) -> bool {
     const ROUNDING: f64 = 1e-9;
@@ -208,33 +220,45 @@ fn milder_of_weakest(answer: &StudyAnswer) -> Option<Capacities> {
             let own = one.states.iter().find(|own| own.state == of)?;
             Some((half_m_s2(&own.by_acceleration)?, one.job))
         });
-        let (least, job) = each.min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let ([low, least], job) = each.min_by(|a, b| a.0[1].total_cmp(&b.0[1]))?;
         let state = of_case(answer, state(answer, of), job);
-        let median = g(answer, least);
-        Some(match is_least_tried(answer, least) {
-            true => Capacities::HalfFrom { state, median }.into(),
-            false => Capacities::HalfAt { state, median }.into(),
-        })
+        Some(half(answer, state, [low, least]).into())
     };
     let states = (0..milder(answer.kind)).filter(|of| answer.has_state(*of));
     let each: Vec<Sentence> = states.filter_map(of_state).collect();
     (!each.is_empty()).then_some(Capacities::MilderWeakest { each })
 }
 
-/// The peak that half of the scans reach a state by: the median of the curve, or the upper end of what is known of it.
-fn half_m_s2(fit: &Result<FragilityFit, AssessError>) -> Option<f64> {
+/// The peaks between which half of the scans reach a state.
+fn half(answer: &StudyAnswer, state: Sentence, [low_m_s2, median_m_s2]: [f64; 2]) -> Capacities {
+    let median = g(answer, median_m_s2);
+    if is_least_tried(answer, median_m_s2) {
+        return Capacities::HalfFrom { state, median };
+    }
+    match is_interval(low_m_s2, median_m_s2) {
+        true => Capacities::HalfBetween {
+            state,
+            low: g(answer, low_m_s2),
+            median,
+        },
+        false => Capacities::HalfAt { state, median },
+    }
+}
+
+/// The peaks between which half of the scans reach a state, m/s²: the median of the curve, or what is known of it.
+fn half_m_s2(fit: &Result<FragilityFit, AssessError>) -> Option<[f64; 2]> {
     let bound = match fit {
-        Ok(fit) => return Some(fit.curve.theta()),
+        Ok(fit) => return Some([fit.curve.theta(); 2]),
         Err(AssessError::NoFragility(bound)) => bound,
         Err(_) => return None,
     };
-    let most = match bound {
+    let ends = match bound {
         FragilityBound::NoneReached { .. } => return None,
-        FragilityBound::AllReached { intensity, .. } => *intensity,
-        FragilityBound::Separated { reached, .. } => *reached,
-        FragilityBound::Middle { at_most, .. } => *at_most,
+        FragilityBound::AllReached { intensity, .. } => [0.0, *intensity],
+        FragilityBound::Separated { survived, reached } => [*survived, *reached],
+        FragilityBound::Middle { above, at_most } => [*above, *at_most],
     };
-    most.is_finite().then_some(most)
+    ends[1].is_finite().then_some(ends)
 }
 
 /// Peaks at which half of the scans reach each state before the last, mildest first; `None` if none does.
@@ -272,11 +296,11 @@ pub(super) fn milder_states(answer: &StudyAnswer) -> Option<Capacities> {
         let Reached::At(value) = all.quantile_m_s2(of, 0.5)? else {
             return None;
         };
-        let (state, median) = (state(answer, of), g(answer, value));
-        Some(match (is_least_tried(answer, value), theta(of)) {
-            (true, _) => Capacities::HalfFrom { state, median }.into(),
-            (false, Some(theta)) => Capacities::HalfAtWithCurve { state, median, theta }.into(),
-            (false, None) => Capacities::HalfAt { state, median }.into(),
+        let low = all.median_not_yet_m_s2(of).unwrap_or(0.0);
+        let half: Sentence = half(answer, state(answer, of), [low, value]).into();
+        Some(match theta(of).filter(|_| !is_least_tried(answer, value)) {
+            Some(theta) => Capacities::WithCurve { half, theta }.into(),
+            None => half,
         })
     });
     let each: Vec<Sentence> = each.collect();

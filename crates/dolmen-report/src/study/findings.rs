@@ -43,6 +43,10 @@ messages! {
             en: "{fell} of {scans} reached “{state}”, the weakest at {least}.",
             ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 {least}이다.",
         },
+        FellBetween { fell: usize, scans: Sentence, state: Sentence, survived: Quantity, least: Quantity } => {
+            en: "{fell} of {scans} reached “{state}”, the weakest between {survived} and {least}.",
+            ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 {survived}~{least}이다.",
+        },
         FellFrom { fell: usize, scans: Sentence, state: Sentence, least: Quantity } => {
             en: "{fell} of {scans} reached “{state}”, the weakest at {least} or below, the smallest size that was tried.",
             ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 시도한 최소 크기 {least} 이하이다.",
@@ -430,13 +434,21 @@ fn capacity(answer: &StudyAnswer) -> Option<Finding> {
                 largest,
             }
         }
-        Reached::At(least) => {
-            let (fell, least) = (all.fell(), g(answer, least));
+        Reached::At(at_m_s2) => {
+            let (fell, least) = (all.fell(), g(answer, at_m_s2));
+            let survived = all.least_survived_m_s2();
             match answer.kind != StudyKind::Building && all.least_is_bound() {
                 true => Found::FellFrom {
                     fell,
                     scans,
                     state,
+                    least,
+                },
+                false if capacities::is_interval(survived, at_m_s2) => Found::FellBetween {
+                    fell,
+                    scans,
+                    state,
+                    survived: g(answer, survived),
                     least,
                 },
                 false => Found::Fell {

@@ -8,7 +8,7 @@ korean_of! {
     StackError {
         StackError::Empty => "쌓은 블록이 하나 이상 있어야 한다";
         StackError::Name { name } => "이름이 '{name}'인 블록이 둘이다. 서로 다른 이름을 붙인다";
-        StackError::Far { piece, position_m, beyond_m, blocks, allowed_m } => "{piece}의 position_m이 {position_m:?}(으)로 {blocks}에서 {beyond_m:.3} m 떨어져 있다. 해당 부재에서 {allowed_m} m 이내이어야 한다. mm 단위이거나 기준점이 다른가?", blocks = blocks.join(", "), piece = phrase(piece);
+        StackError::Far { piece, position_m, beyond_m, block, allowed_m } => "{piece}의 position_m이 {position_m:?}(으)로 {block}에서 {beyond_m:.3} m 떨어져 있다. 해당 부재에서 {allowed_m} m 이내이어야 한다. mm 단위이거나 기준점이 다른가?", piece = phrase(piece);
         StackError::Dimension { quantity, given, allowed } => "{quantity}이(가) {given}인데 {allowed}이어야 한다", quantity = phrase(quantity), allowed = phrase(allowed);
         StackError::Sides { given, most } => "각기둥의 변이 {given}개인데 3~{most}개이어야 한다. 그보다 많으면 원통으로 한다";
         StackError::Opening { corner, beyond_m } => "개구부는 석재 안에 있고 석재가 남아야 하는데, 모서리 {corner:?}이(가) {beyond_m:.4} m 밖에 있다. 크기와 위치를 확인한다";
@@ -50,7 +50,7 @@ korean_of! {
         SliceError::NoBeds => "접합면의 높이가 없다. 탑에는 석재 사이의 접합면이 하나 이상 있다. 각 접합면의 높이를 쓴다";
         SliceError::NotFinite { given } => "접합면의 높이가 {given}인데 유한한 수(m)이어야 한다";
         SliceError::Unsorted { first_m, then_m } => "접합면 {then_m} m이(가) {first_m} m 뒤에 있다. 낮은 것부터 한 번씩 쓴다";
-        SliceError::Outside { bed_m, low_m, high_m } => "접합면 {bed_m} m이(가) {low_m:.4}~{high_m:.4} m에 걸친 스캔 밖에 있다. 파일의 좌표에서 잰 높이를 m로 쓴다";
+        SliceError::Outside { bed_m, low_m, high_m } => "접합면 {bed_m} m이(가) {low_m:.4}~{high_m:.4} m에 걸친 스캔 밖에 있다. 파일의 좌표(z축이 위쪽)에서 잰 높이를 m로 쓴다";
         SliceError::Thin { low_m, high_m, least_m } => "{low_m:.4}~{high_m:.4} m의 석재 두께가 {thickness_mm:.1} mm인데 {least_mm:.0} mm 이상이어야 한다. 접합면 하나를 뺀다", thickness_mm = 1e3 * (high_m - low_m), least_mm = 1e3 * least_m;
         SliceError::Air { bed_m } => "접합면으로 쓴 높이 {bed_m} m에 석재가 없다. 높이를 고친다";
         SliceError::Hollow { bed_m, area_m2 } => "높이 {bed_m} m의 단면에 {area_m2:.4} m²의 구멍이 있다. 빈 곳을 둘러싼 접합면은 자르지 않는다. 메시의 빈 곳을 메우거나 석재를 점의 입체로 입력한다";

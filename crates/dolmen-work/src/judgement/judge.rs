@@ -225,7 +225,17 @@ impl Judgement {
                     version.governed_by = of.without_shaking.as_ref().and_then(|of| of.governed_by.clone());
                     Some(Weight::Unstable)
                 }
-                Simulation::Supports(run) => Some(Weight::of_supports(run, version.weight)),
+                Simulation::Supports(run) => {
+                    let found = of.without_shaking.as_ref().filter(|_| version.weight.is_none());
+                    let before = found.map(|of| of.weight).or(version.weight);
+                    let weight = Weight::of_supports(run, before);
+                    // the run decides if it is worse
+                    if let Some(found) = found.filter(|of| of.weight == weight) {
+                        version.governed_by.clone_from(&found.governed_by);
+                    }
+                    version.with_loads |= !run.stack.static_loads().is_empty();
+                    Some(weight)
+                }
                 Simulation::Settled(run) => Some(Weight::of_settled(run)),
                 // evidence against a model never improves its judgement
                 _ if version.weight.is_none() => {

@@ -100,6 +100,15 @@ impl CapacityOf {
         self.in_m_s2(self.scan.as_ref().map(|scan| scan.largest_tried))
     }
 
+    /// Largest peak up to which a state is not reached, m/s²; 0 if none is known.
+    pub fn not_yet_m_s2(&self, state: usize) -> f64 {
+        match self.seen_m_s2[state] {
+            Some(Observation::At(peak) | Observation::Above(peak)) => peak,
+            Some(Observation::Between(low, _)) => low,
+            Some(Observation::Below(_) | Observation::Stripe { .. }) | None => 0.0,
+        }
+    }
+
     /// Peaks above the first fall that were survived, m/s².
     pub fn survived_above_m_s2(&self) -> Vec<f64> {
         let scales = self.scan.iter().flat_map(|scan| &scan.survived_above);
@@ -236,6 +245,23 @@ impl LevelRow {
             return None;
         }
         reached_quantile(&self.first_m_s2(state), probability)
+    }
+
+    /// Largest peak below the smallest first fall at which nothing fell, m/s²: the fall lies between the two. 0 if nothing smaller was tried.
+    pub fn least_survived_m_s2(&self) -> f64 {
+        let least = self.least_m_s2();
+        let scans = self.scans.iter();
+        let first = scans.filter(|scan| scan.first_fall_m_s2() == least);
+        first
+            .map(|scan| scan.not_yet_m_s2(3))
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// The median of the largest peaks up to which a state is not reached, m/s²: the median of its first peaks lies above.
+    pub fn median_not_yet_m_s2(&self, state: usize) -> Option<f64> {
+        let usable = self.scans.iter().filter(|scan| scan.verdict.is_usable());
+        let each: Vec<Reached> = usable.map(|scan| Reached::At(scan.not_yet_m_s2(state))).collect();
+        reached_quantile(&each, 0.5).map(Reached::value)
     }
 
     /// Usable scans that survived a size above their first fall.
@@ -413,6 +439,9 @@ mod tests {
             (mixed.usable(), mixed.fell(), mixed.least_m_s2()),
             (2, 1, Some(Reached::At(4.0)))
         );
+        // both usable scans stood at 2 m/s², one of them at 4 too
+        assert_eq!(mixed.least_survived_m_s2(), 2.0);
+        assert_eq!(mixed.median_not_yet_m_s2(3), Some(3.0));
         let open = mixed.left_out().next().unwrap();
         assert_eq!(open.verdict, ScanVerdict::Bracketed);
         assert_eq!((open.survived_m_s2(), open.fell_m_s2()), (2.0, Some(6.0)));

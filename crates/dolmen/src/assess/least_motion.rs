@@ -8,6 +8,9 @@ use crate::stability::stack::{
 };
 use crate::structure::stack::Stack;
 
+/// Relative distance from which two bounds of an acceleration count as different: the answer prints three digits. Our choice.
+pub(super) const BETWEEN: f64 = 1e-3;
+
 /// The limit analysis of a stack, and the acceleration at which it begins to move.
 pub(super) struct FirstMotion {
     pub(super) found: Undilated,
@@ -62,11 +65,26 @@ impl FirstMotion {
 
     /// The acceleration at which it begins to move; `None` if it does not stand, or if nothing moves it.
     pub(super) fn capacity(&self) -> Option<Threshold> {
-        match self.found.analysis.status {
-            LimitAnalysisStatus::DoesNotStand => None,
-            // otherwise what the soil turns at rest is more than a joint bears
-            _ => self.least.filter(|least| least.acceleration_m_s2 > 0.0),
+        if self.found.analysis.status == LimitAnalysisStatus::DoesNotStand {
+            return None;
         }
+        // otherwise what the soil turns at rest is more than a joint bears
+        let least = self.least.filter(|least| least.acceleration_m_s2 > 0.0)?;
+        if !self.is_between() {
+            return Some(least);
+        }
+        let share = self.at_least_g / least.acceleration_g;
+        Some(Threshold {
+            acceleration_g: self.at_least_g,
+            acceleration_m_s2: share * least.acceleration_m_s2,
+            ..least
+        })
+    }
+
+    /// Whether the analysis knows the acceleration only between two bounds; the lower one counts.
+    pub(super) fn is_between(&self) -> bool {
+        let least = self.least.as_ref();
+        least.is_some_and(|least| self.at_least_g < (1.0 - BETWEEN) * least.acceleration_g)
     }
 }
 

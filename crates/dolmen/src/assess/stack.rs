@@ -2,7 +2,7 @@
 
 use super::AssessError;
 use super::kinetic_friction;
-use super::least_motion::FirstMotion;
+use super::least_motion::{BETWEEN, FirstMotion};
 use super::least_pressed::LeastPressed;
 use super::stack_notes::{Gaps, SettleRun, StackNote};
 use crate::blocks::LooseStones;
@@ -90,8 +90,6 @@ pub const MARGINAL_BELOW_G: f64 = LooseStones::MARGINAL_BELOW_G;
 const FRICTION_SPARE: f64 = 0.1;
 /// Relative difference by which the limit analysis must be lower for a note; the solver loses 1e-8. Our choice.
 const LOWER: f64 = 1e-4;
-/// Relative difference of both bounds of the limit analysis from which there is a note: the answer prints three digits. Our choice.
-const BETWEEN: f64 = 1e-3;
 
 /// Checks a stack: whether it stands, what moves first and at what acceleration, and the demand.
 ///
@@ -269,6 +267,7 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
 fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
     let motion = FirstMotion::of(stack, &options.limits, &check.limits)?;
     check.capacity = motion.capacity();
+    let is_between = motion.is_between();
     let FirstMotion {
         found,
         soil,
@@ -285,7 +284,7 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
                 analysis_g: least.acceleration_g,
             });
         }
-        if at_least_g < (1.0 - BETWEEN) * least.acceleration_g {
+        if is_between {
             check.notes.push(StackNote::AnalysisBetween {
                 at_least_g,
                 analysis_g: least.acceleration_g,

@@ -221,7 +221,7 @@ impl fmt::Display for StackNote {
             } => write!(
                 f,
                 "the limit analysis found balance in every direction up to {at_least_g:.3} g, and none at {analysis_g:.3} g in one: \
-                 use the lower"
+                 the lower counts"
             ),
             StackNote::AnalysisFalls => write!(
                 f,

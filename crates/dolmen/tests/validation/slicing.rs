@@ -433,7 +433,7 @@ fn refuses_what_cannot_be_cut() {
     );
     assert_eq!(
         said(&[0.35, 350.0]),
-        "the bed at 350 m lies outside of the scan, which reaches from 0.0000 to 2.0800 m: give heights in m, in the coordinates of the file"
+        "the bed at 350 m lies outside of the scan, which reaches from 0.0000 to 2.0800 m: give heights in m, in the coordinates of the file, whose z axis must point up"
     );
     assert!(
         said(&[0.35, 0.36]).contains("is 10.0 mm thick, but must be at least 20 mm"),

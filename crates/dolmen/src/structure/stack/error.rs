@@ -12,11 +12,11 @@ pub enum StackError {
         /// The name.
         name: String,
     },
-    /// A tie, a side support or a static load is far from its block.
+    /// A tie, a side support or a static load is far from one of its blocks.
     #[error(
-        "position_m of {piece} is [{}, {}, {}], {beyond_m:.3} m off {}: it must lie within {allowed_m} m of it; is it in mm, or from \
+        "position_m of {piece} is [{}, {}, {}], {beyond_m:.3} m off {block}: it must lie within {allowed_m} m of it; is it in mm, or from \
          another datum?",
-        position_m[0], position_m[1], position_m[2], blocks.join(" and ")
+        position_m[0], position_m[1], position_m[2]
     )]
     Far {
         /// "a tie", "a side support" or "a static load".
@@ -25,8 +25,8 @@ pub enum StackError {
         position_m: [f64; 3],
         /// Distance from the bounds of the block, m.
         beyond_m: f64,
-        /// Names of the blocks in the stack.
-        blocks: Vec<String>,
+        /// Name of the block in the stack.
+        block: String,
         /// The allowed value, m.
         allowed_m: f64,
     },

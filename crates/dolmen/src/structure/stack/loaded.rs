@@ -1,7 +1,6 @@
 //! Stacks with static forces on single stones.
 
 use super::{Stack, StackError, StaticLoad};
-use glam::DVec3;
 
 /// Largest distance of a load from the bounds of its stone, m, for example at the end of a bracket or a pole. Our choice.
 const REACH_M: f64 = 3.0;
@@ -12,11 +11,7 @@ impl Stack {
     /// # Errors
     /// [`StackError`] for a block that does not exist, values that are not finite, or a point farther than 3 m from the bounds of the block.
     pub fn with_static_load(mut self, load: StaticLoad) -> Result<Self, StackError> {
-        let last = self.blocks().len() - 1;
-        let given = load.block;
-        let Some(block) = self.blocks().get(given) else {
-            return Err(StackError::NoBlock { given, last });
-        };
+        self.check_block(load.block)?;
         for (quantity, given) in [
             ("position_m of a static load", load.position_m),
             ("force_n of a static load", load.force_n),
@@ -25,18 +20,7 @@ impl Stack {
                 return Err(StackError::Position { quantity, given });
             }
         }
-        let [low, high] = block.solid.bounds_m().map(DVec3::from);
-        let at = DVec3::from(load.position_m);
-        let beyond_m = (low - at).max(at - high).max(DVec3::ZERO).length();
-        if beyond_m > REACH_M {
-            return Err(StackError::Far {
-                piece: "a static load",
-                position_m: load.position_m,
-                beyond_m,
-                blocks: vec![block.name.clone()],
-                allowed_m: REACH_M,
-            });
-        }
+        self.check_near("a static load", load.position_m, (load.block, REACH_M))?;
         self.static_loads.push(load);
         Ok(self)
     }

@@ -8,8 +8,8 @@ impl Stack {
     /// The stack on an elastic half-space, with a rigid footing on its surface; the footing has the given plan, or that of the lowest bed.
     ///
     /// ```text
-    /// K = least of the two rocking stiffnesses of the footing ([`Soil`]),   K_h = 8 G R/(2 − ν), R = √(A/π)
-    /// k_n = least of K/I,   k_s = K_h/A       per area of the joint, A and I its area and second moments
+    /// k_n = least of K/I over both directions, K the rocking stiffness of the footing ([`Soil`])
+    /// k_s = K_h/A,   K_h = 8 G R/(2 − ν), R = √(A/π)       A and I the area of the joint and its second moments
     /// ```
     ///
     /// # Errors
@@ -17,7 +17,7 @@ impl Stack {
     ///
     /// # Limits
     /// The springs under the bed have the rotational stiffness of the half-space and carry no tension; vertically they are up to 2.7 times too stiff.
-    /// A bed that is not square has the smaller k_n of its two directions. Radiation damping is left out; the damping of the joint remains.
+    /// A bed that is not square has the smaller k_n of its two directions, so about the other axis it is softer than its K. Radiation damping is left out; the damping of the joint remains.
     ///
     /// # Source
     /// K: see [`Soil`]. K_h: horizontal load on a rigid disc, R. D. Mindlin (1949) J. Appl. Mech. 16, 259-268; for other plans the disc with the same
@@ -42,9 +42,10 @@ impl Stack {
         let rocking = [soil.rocking_n_m_rad(), soil.across().rocking_n_m_rad()];
         let normal = [0, 1].map(|axis| rocking[axis] / moments.second_m4[axis]);
         let radius_m = (soil.footing.area_m2() / std::f64::consts::PI).sqrt();
+        let normal_pa_m = normal[0].min(normal[1]);
         self.with_soil(SoilBelow {
-            rocking_stiffness_n_m_rad: rocking[0].min(rocking[1]),
-            normal_stiffness_pa_m: normal[0].min(normal[1]),
+            rocking_stiffness_n_m_rad: normal_pa_m * moments.second_m4[0].min(moments.second_m4[1]),
+            normal_stiffness_pa_m: normal_pa_m,
             shear_stiffness_pa_m: 8.0 * shear_modulus_pa * radius_m / (2.0 - poisson_ratio) / area_m2,
         })
     }
@@ -129,11 +130,14 @@ mod tests {
         let on_soil = stack.clone().on_half_space([30e6, 0.35], None).unwrap();
         let soil = on_soil.soil().unwrap();
         // about the long axis: G b^3/(1 - v) (3.2 L/B + 0.8)
-        let about_long = 30e6 * 0.125 / 0.65 * 7.2;
-        assert!((soil.rocking_stiffness_n_m_rad / about_long - 1.0).abs() < 1e-12);
+        let about_long: f64 = 30e6 * 0.125 / 0.65 * 7.2;
         let about_short = 30e6 * 0.125 / 0.65 * (3.73 * 2.0_f64.powf(2.4) + 0.27);
         let softest = (about_long / (2.0 / 12.0)).min(about_short / (8.0 / 12.0));
         assert!((soil.normal_stiffness_pa_m / softest - 1.0).abs() < 1e-12);
+        // about the long axis the springs that count are softer than the half-space
+        let counts = softest * 2.0 / 12.0;
+        assert!(counts < 0.7 * about_long);
+        assert!((soil.rocking_stiffness_n_m_rad / counts - 1.0).abs() < 1e-12);
         let [bed, both] = [&stack, &on_soil].map(|stack| stack.joints()[0].material.normal_stiffness_pa_m);
         assert!((1.0 / both - 1.0 / bed - 1.0 / softest).abs() < 1e-12 / both);
         assert_eq!(on_soil.joints()[1], stack.joints()[1]);

@@ -3,7 +3,7 @@
 /// Springs of the soil under a stack.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SoilBelow {
-    /// Moment over rotation of the base, the smaller value of both directions, N m/rad.
+    /// Moment over rotation that the springs under the bed have, the smaller value of both directions, N m/rad.
     pub rocking_stiffness_n_m_rad: f64,
     /// Stiffness per area of the joint on the ground that represents the soil, Pa/m.
     pub normal_stiffness_pa_m: f64,

@@ -197,7 +197,7 @@ impl Stack {
     /// The same stack with a dowel or clamp.
     ///
     /// # Errors
-    /// [`StackError`] for a block that does not exist, a value out of its range, or a place farther than 0.1 m from the bounds of both blocks.
+    /// [`StackError`] for a block that does not exist, a value out of its range, or a place farther than 0.1 m from the bounds of either block.
     pub fn with_tie(mut self, tie: Tie) -> Result<Self, StackError> {
         if let Body::Block(lower) = tie.lower {
             self.check_block(lower)?;
@@ -205,11 +205,10 @@ impl Stack {
         self.check_block(tie.upper)?;
         check_direction("axis of a tie", tie.axis)?;
         check_finite("position_m of a tie", tie.position_m)?;
-        let mut joined = vec![tie.upper];
+        self.check_near("a tie", tie.position_m, (tie.upper, PIECE_REACH_M))?;
         if let Body::Block(lower) = tie.lower {
-            joined.push(lower);
+            self.check_near("a tie", tie.position_m, (lower, PIECE_REACH_M))?;
         }
-        self.check_near("a tie", tie.position_m, &joined)?;
         let not_negative = [
             ("axial_stiffness_n_m", tie.axial_stiffness_n_m),
             ("shear_stiffness_n_m", tie.shear_stiffness_n_m),
@@ -230,31 +229,24 @@ impl Stack {
         Ok(self)
     }
 
-    /// Refuses a piece far from its blocks, because it would act with a lever arm that does not exist.
-    fn check_near(
+    /// Refuses a piece far from its block, because it would act with a lever arm that does not exist.
+    pub(super) fn check_near(
         &self,
         piece: &'static str,
         position_m: [f64; 3],
-        blocks: &[usize],
+        (block, reach_m): (usize, f64),
     ) -> Result<(), StackError> {
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for &block in blocks {
-            let [least, most] = self.blocks[block].solid.bounds_m();
-            low = low.min(least.into());
-            high = high.max(most.into());
-        }
+        let block = &self.blocks[block];
+        let [low, high] = block.solid.bounds_m().map(DVec3::from);
         let at = DVec3::from(position_m);
         let beyond_m = (low - at).max(at - high).max(DVec3::ZERO).length();
-        if beyond_m > PIECE_REACH_M {
+        if beyond_m > reach_m {
             return Err(StackError::Far {
                 piece,
                 position_m,
                 beyond_m,
-                blocks: blocks
-                    .iter()
-                    .map(|&block| self.blocks[block].name.clone())
-                    .collect(),
-                allowed_m: PIECE_REACH_M,
+                block: block.name.clone(),
+                allowed_m: reach_m,
             });
         }
         Ok(())
@@ -286,7 +278,11 @@ impl Stack {
         self.check_block(support.block)?;
         check_direction("direction of a side support", support.direction)?;
         check_finite("position_m of a side support", support.position_m)?;
-        self.check_near("a side support", support.position_m, &[support.block])?;
+        self.check_near(
+            "a side support",
+            support.position_m,
+            (support.block, PIECE_REACH_M),
+        )?;
         for (quantity, given) in [("gap_m", support.gap_m), ("stiffness_n_m", support.stiffness_n_m)] {
             if !(given >= 0.0 && given.is_finite()) {
                 return Err(StackError::Dimension {
@@ -350,7 +346,7 @@ impl Stack {
         self.blocks.iter().map(Block::mass_kg).sum()
     }
 
-    fn check_block(&self, given: usize) -> Result<(), StackError> {
+    pub(super) fn check_block(&self, given: usize) -> Result<(), StackError> {
         let last = self.blocks.len() - 1;
         if given > last {
             return Err(StackError::NoBlock { given, last });

@@ -27,7 +27,7 @@ pub enum SliceError {
     },
     /// A height is outside the scan.
     #[error(
-        "the bed at {bed_m} m lies outside of the scan, which reaches from {low_m:.4} to {high_m:.4} m: give heights in m, in the coordinates of the file"
+        "the bed at {bed_m} m lies outside of the scan, which reaches from {low_m:.4} to {high_m:.4} m: give heights in m, in the coordinates of the file, whose z axis must point up"
     )]
     Outside {
         /// The height, m.
