@@ -286,15 +286,15 @@ fn exact_each_variant_of_a_stack_says_when_it_first_moves() {
     fs::write(scratch.path().join("project.toml"), text).unwrap();
     let words = scratch.briefly("check .").words();
     for said in [
-        "Variant “wide” first moves at 0.500 g, the structure as it is at 0.333 g: stable.",
-        "Variant “thin” first moves at 0.167 g, the structure as it is at 0.333 g: stable.",
-        "Variant “heavy” leaves the first motion at 0.333 g: stable.",
+        "Variant “wide” first moves at 0.500 g, the structure as it is at 0.333 g: own weight stable.",
+        "Variant “thin” first moves at 0.167 g, the structure as it is at 0.333 g: own weight stable.",
+        "Variant “heavy” leaves the first motion at 0.333 g: own weight stable.",
     ] {
         assert!(words.contains(said), "{said}: {words}");
     }
     let korean = scratch.briefly("check . --language ko").words();
     assert!(
-        korean.contains("대안 ‘wide’의 거동 시작 가속도는 0.500 g이다(현 상태 0.333 g): 안정."),
+        korean.contains("대안 ‘wide’의 거동 시작 가속도는 0.500 g이다(현 상태 0.333 g): 자중 안정."),
         "{korean}"
     );
 }

@@ -82,8 +82,8 @@ sentences! {
             ko: "파일에 시간 열 \"{column}\"뿐이라 읽을 것이 없다",
         },
         NoRate { names } as { names: listed(names) } => {
-            en: "the sampling rate is not known: no column is named time or t (the columns are {names}); give sampling_rate, or name the time column",
-            ko: "샘플링 주파수를 알 수 없다. 이름이 time이나 t인 열이 없다(파일의 열: {names}). sampling_rate를 입력하거나 시간 열의 이름을 쓴다",
+            en: "the sampling rate is not known: no column is named time or t (the columns are {names}); give sampling_rate (dates in a column are then held against it), or name a time column in seconds",
+            ko: "샘플링 주파수를 알 수 없다. 이름이 time이나 t인 열이 없다(파일의 열: {names}). sampling_rate를 입력하거나(날짜 열이 있으면 이와 대조한다) 초 단위 시간 열의 이름을 쓴다",
         },
         NoRateNpy => {
             en: "the sampling rate is not known: an NPY file cannot hold it; give sampling_rate",

@@ -226,8 +226,8 @@ fn refuses_a_rate_that_the_stamps_contradict() {
     );
     assert_eq!(
         refusal("a,b\n1,2\n4,3\n"),
-        "the sampling rate is not known: no column is named time or t (the columns are a, b); give sampling_rate, or \
-         name the time column"
+        "the sampling rate is not known: no column is named time or t (the columns are a, b); give sampling_rate (dates in a column are then \
+         held against it), or name a time column in seconds"
     );
     assert!(
         refusal("시간 (시),b\n1,2\n4,3\n")

@@ -8,7 +8,7 @@ use super::quantities::{bare_percent, hertz, percent, plus, temperature};
 use super::readings;
 use super::temperature::known;
 use crate::document::{Finding, Tone};
-use dolmen::assess::{Difference, ModeChange, SurveyChange, TemperatureKnowledge};
+use dolmen::assess::{ChangeNote, Difference, ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen_project::{Survey, TemperaturePart, date_of};
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::answer::CompareAnswer;
@@ -91,6 +91,10 @@ messages! {
             en: "The record of survey {survey} holds an earthquake, and its modes are those of the structure in it: in strong shaking every frequency is lower, so that a change shown here may be of the shaking and not of the structure. Compare an ambient survey.",
             ko: "{survey} 조사의 기록에 지진이 들어 있고 모드는 지진 중의 것이다. 강한 진동 중에는 고유진동수가 낮아지므로 여기에 나타난 변화는 구조물이 아니라 진동 세기에 의한 것일 수 있다. 상시진동 조사와 비교한다.",
         },
+        OtherShapes { unlike: usize, of: usize, least: Quantity } => {
+            en: "The shapes differ between the surveys in {unlike} of {of} modes (least MAC {least}): a sensor with another gain, place or direction, or a part that changed. Frequencies show neither; look at the shapes.",
+            ko: "모드 {of}개 중 {unlike}개에서 두 조사의 모드형상이 다르다(최소 MAC {least}). 센서의 감도, 위치, 방향이 달라졌거나 일부가 변한 것이며 진동수로는 알 수 없다. 모드형상을 확인한다.",
+        },
         OneRatio => { en: "1 damping ratio", ko: "감쇠비 1개" },
         Ratios { count: usize } => { en: "{count} damping ratios", ko: "감쇠비 {count}개" },
         Of { frequency: Quantity, sign: String, change: Quantity, half: Quantity } => {
@@ -99,6 +103,9 @@ messages! {
         },
     }
 }
+
+/// MAC below which the shapes of a mode differ. Our choice: chance leaves more in a mode that the records show well.
+const UNLIKE: f64 = 0.9;
 
 /// Number of changed frequencies in the sentence.
 const LISTED: usize = 3;
@@ -145,6 +152,7 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     );
     all.extend(damping(change));
     all.push(frequencies(change));
+    all.extend(other_shapes(change));
     all.extend(answer.history.as_ref().map(|of| history::finding(of, change)));
     all.extend(answer.history.as_ref().and_then(history::passed_over));
     all.extend(history::unread(&answer.unread));
@@ -161,6 +169,29 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
         all.push(Finding::key(Tone::Unknown, known(change)));
     }
     all
+}
+
+/// Shapes that differ in most modes, where no note names the channel.
+fn other_shapes(change: &SurveyChange) -> Option<Finding> {
+    let is_named = |note: &ChangeNote| {
+        matches!(
+            note,
+            ChangeNote::Swapped(_) | ChangeNote::Turned(_) | ChangeNote::DirectionsExchanged(_)
+        )
+    };
+    let modes = change.modes.iter();
+    let all: Vec<f64> = modes.filter_map(|mode| mode.pair.assurance).collect();
+    let unlike = all.iter().filter(|mac| **mac < UNLIKE).count();
+    if 2 * unlike <= all.len() || change.notes.iter().any(is_named) {
+        return None;
+    }
+    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+    let said = Found::OtherShapes {
+        unlike,
+        of: all.len(),
+        least: Quantity::ratio(least, 2),
+    };
+    Some(Finding::key(Tone::Warn, said))
 }
 
 /// Finding that the survey to count from is the later one.

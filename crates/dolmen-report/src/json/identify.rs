@@ -155,9 +155,11 @@ fn setups(setups: &SetupsAnswer) -> Value {
         "reference_faults": found.reference_faults.iter().map(|fault| as_json!({
             "setup": fault.setups[0] + 1,
             "against_setup": fault.setups[1] + 1,
-            "channels": fault.channels,
-            "factor": fault.factor,
-            "factor_sd": fault.factor_sd,
+            "suspects": fault.suspects.iter().map(|of| as_json!({
+                "channel": of.channel,
+                "factor": of.factor,
+                "factor_sd": of.factor_sd,
+            })).collect::<Vec<_>>(),
             "modes": fault.modes,
         })).collect::<Vec<_>>(),
         "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),

@@ -18,6 +18,10 @@ messages! {
             en: "FREE DECAYS make up this record, {decays} of them: modes that die away from the beginning of each explain {explained} or more of its motion. The tests for machines and footsteps do not apply to them and were left out; the deviations of an ambient method do not hold.« Cut out one decay (conditioning.cut with from_s = {from} and to_s = {to}) and write method = \"era\" into records.modal, or measure without blows.»",
             ko: "이 기록은 자유감쇠 {decays}개로 이루어져 있다. 각 자유감쇠의 처음부터 줄어드는 모드가 그 운동의 {explained} 이상을 설명한다. 기계와 발걸음의 검정은 이런 기록에 맞지 않아 하지 않았으며, 상시진동 방법의 표준편차도 맞지 않는다.« 자유감쇠 하나를 잘라(conditioning.cut의 from_s = {from}, to_s = {to}) records.modal에 method = \"era\"를 적거나, 타격 없이 측정한다.»",
         },
+        OneDecay { explained: Quantity, from: Quantity, to: Quantity } => {
+            en: "A FREE DECAY makes up most of this record: modes that die away from its beginning explain {explained} or more of the motion. The tests for machines and footsteps do not apply to it and were left out; the deviations of an ambient method do not hold.« Cut it out (conditioning.cut with from_s = {from} and to_s = {to}) and write method = \"era\" into records.modal.»",
+            ko: "이 기록의 대부분은 자유감쇠이다. 그 처음부터 줄어드는 모드가 운동의 {explained} 이상을 설명한다. 기계와 발걸음의 검정은 이런 기록에 맞지 않아 하지 않았으며, 상시진동 방법의 표준편차도 맞지 않는다.« 그 구간을 잘라(conditioning.cut의 from_s = {from}, to_s = {to}) records.modal에 method = \"era\"를 적는다.»",
+        },
         FewStrongBlocks { blocks: usize, of: usize, factor: Quantity } => {
             en: "The motion swells: these deviations stand on {blocks} equally strong blocks of time of {of}, so 95 % lie within {factor} times the deviation, not 2.",
             ko: "진동이 한때에 몰려 있어 이 표준편차는 시간 구간 {of}개 중 세기가 같은 유효 구간 {blocks}개에 근거한다. 95 % 구간은 표준편차의 2배가 아니라 {factor}배이다.",
@@ -71,7 +75,8 @@ fn between_halves(record: &RecordAnswer) -> Option<Finding> {
 /// A record of free decays that was read as ambient vibration, and how to declare its longest decay.
 fn free_decays(record: &RecordAnswer) -> Option<Finding> {
     let found = record.analysis.free_decays.as_ref()?;
-    let explained = percent(found.explained, 0);
+    // "or more" holds of what is rounded down
+    let explained = percent((100.0 * found.explained).floor().min(99.0) / 100.0, 0);
     let length_s = |span: &&[f64; 2]| span[1] - span[0];
     let longest = found
         .spans_s
@@ -79,13 +84,15 @@ fn free_decays(record: &RecordAnswer) -> Option<Finding> {
         .max_by(|a, b| length_s(a).total_cmp(&length_s(b)))?;
     let is_whole = longest[0] == 0.0 && found.spans_s.len() == 1;
     let seconds = |at_s: f64| Quantity::new(at_s, Unit::ratio(), Digits::Fixed(2));
-    let said = match is_whole {
-        true => Cautions::FreeDecay { explained },
-        false => Cautions::FreeDecays {
-            decays: found.spans_s.len(),
+    let [from, to] = longest.map(seconds);
+    let said = match found.spans_s.len() {
+        1 if is_whole => Cautions::FreeDecay { explained },
+        1 => Cautions::OneDecay { explained, from, to },
+        decays => Cautions::FreeDecays {
+            decays,
             explained,
-            from: seconds(longest[0]),
-            to: seconds(longest[1]),
+            from,
+            to,
         },
     };
     Some(Finding::key(Tone::Warn, said))

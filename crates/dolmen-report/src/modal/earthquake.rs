@@ -10,7 +10,7 @@ use dolmen_work::surveyed::{Earthquake, ModesOf};
 /// Number of earthquakes of one record in a short answer; the full one has all.
 const LISTED: usize = 4;
 
-/// Main findings: the earthquake, the lowest frequency before and after, lasting changes, and the part that the modes come from.
+/// Main findings: the earthquake, the lowest frequency before and after, and lasting changes.
 pub(super) fn findings(of: &Earthquake) -> Vec<Finding> {
     let found = &of.found;
     let mut all = vec![Finding::key(Tone::Warn, holds(found)).with_code("earthquake")];
@@ -22,8 +22,7 @@ pub(super) fn findings(of: &Earthquake) -> Vec<Finding> {
         }
     }
     all.push(lasting(found));
-    all.push(modes_of(of));
-    all.push(Finding::new(Tone::Plain, Quake::NotOne));
+    all.push(Finding::key(Tone::Plain, Quake::NotOne));
     all
 }
 
@@ -129,9 +128,9 @@ fn each(at: usize, event: &StrongEvent) -> Finding {
             left,
         },
     };
-    Finding {
-        is_key: at < LISTED || tone == Tone::Bad,
-        ..Finding::new(tone, said)
+    match at < LISTED || tone == Tone::Bad {
+        true => Finding::answer(tone, said),
+        false => Finding::new(tone, said),
     }
 }
 
@@ -225,21 +224,21 @@ fn lasting(found: &StrongMotion) -> Finding {
 }
 
 /// The part that the modes come from.
-fn modes_of(of: &Earthquake) -> Finding {
+pub(super) fn modes_of(of: &Earthquake) -> Finding {
     let span = |part: &Part| part.span_s.map(time);
     let found = &of.found;
     match of.modes_of {
         ModesOf::After => {
             let [from, to] = span(found.after());
-            Finding::key(Tone::Plain, Quake::OfAfter { from, to })
+            Finding::qualifies(Tone::Plain, Quake::OfAfter { from, to })
         }
         ModesOf::Between => {
             let [from, to] = span(found.between().unwrap_or_else(|| found.after()));
-            Finding::key(Tone::Warn, Quake::OfBetween { from, to })
+            Finding::qualifies(Tone::Warn, Quake::OfBetween { from, to })
         }
         ModesOf::Before => {
             let [from, to] = span(found.before());
-            Finding::key(Tone::Warn, Quake::OfBefore { from, to })
+            Finding::qualifies(Tone::Warn, Quake::OfBefore { from, to })
         }
         ModesOf::During => {
             let event = found.strongest();
@@ -248,8 +247,8 @@ fn modes_of(of: &Earthquake) -> Finding {
                 During::Tracked(_) | During::Unknown => [event.shaking.arrival_s, event.shaking.end_s],
             }
             .map(time);
-            Finding::key(Tone::Warn, Quake::OfDuring { from, to })
+            Finding::qualifies(Tone::Warn, Quake::OfDuring { from, to })
         }
-        ModesOf::Whole => Finding::key(Tone::Warn, Quake::OfWhole),
+        ModesOf::Whole => Finding::qualifies(Tone::Warn, Quake::OfWhole),
     }
 }

@@ -78,8 +78,8 @@ messages! {
         NotKnown => { en: "not known", ko: "알 수 없음" },
         TooShort { time: Quantity } => { en: "not known ({time} of the record, or no mode in it)", ko: "알 수 없음(해당 구간 {time}, 또는 모드 없음)" },
         Lasts { frequency: Quantity, by: Quantity, half: Quantity, most: Sentence, when: Sentence } => {
-            en: "LASTING CHANGE: {frequency} changed by {by} ± {half} (95 %) {when}, beyond chance{most}. Look at the structure.",
-            ko: "잔류 변화: {frequency} 모드가 {when} {by} ± {half}(95 %) 변하였으며 유의하다{most}. 구조물을 점검한다.",
+            en: "LASTING CHANGE: {frequency} changed by {by} ± {half} (95 %) {when}, beyond chance{most}. Unless it warmed or cooled meanwhile, look at the structure.",
+            ko: "잔류 변화: {frequency} 모드가 {when} {by} ± {half}(95 %) 변하였으며 유의하다{most}. 그동안 온도가 변하지 않았으면 구조물을 점검한다.",
         },
         Most { frequency: Quantity, by: Quantity, half: Quantity } => {
             en: "; most of all {frequency}, by {by} ± {half}",
@@ -102,24 +102,24 @@ messages! {
             ko: "이 기록으로는 지진이 구조물을 변화시켰는지 알 수 없다. 각각 40 s 이상인 지진 전후 구간 모두에서 식별된 모드가 필요하다.",
         },
         OfAfter { from: Quantity, to: Quantity } => {
-            en: "The modes below are those of the record after the earthquake, {from} to {to}.",
-            ko: "아래의 모드는 지진 이후 구간({from}–{to})의 것이다.",
+            en: "These modes are those of the record after the earthquake, {from} to {to}.",
+            ko: "이 모드는 지진 이후 구간({from}–{to})의 것이다.",
         },
         OfBefore { from: Quantity, to: Quantity } => {
-            en: "The modes below are those of the record BEFORE the earthquake, {from} to {to}: what follows it is too short.",
-            ko: "아래의 모드는 지진 이전 구간({from}–{to})의 것이다. 지진 이후 구간이 너무 짧다.",
+            en: "These modes are those of the record BEFORE the earthquake, {from} to {to}: what follows it is too short.",
+            ko: "이 모드는 지진 이전 구간({from}–{to})의 것이다. 지진 이후 구간이 너무 짧다.",
         },
         OfBetween { from: Quantity, to: Quantity } => {
-            en: "The modes below are those of the record between two of them, {from} to {to}: what follows the last is too short.",
-            ko: "아래의 모드는 두 진동 사이 구간({from}–{to})의 것이다. 마지막 진동 이후 구간이 너무 짧다.",
+            en: "These modes are those of the record between two of them, {from} to {to}: what follows the last is too short.",
+            ko: "이 모드는 두 진동 사이 구간({from}–{to})의 것이다. 마지막 진동 이후 구간이 너무 짧다.",
         },
         OfDuring { from: Quantity, to: Quantity } => {
-            en: "The modes below are those of the structure IN the earthquake, {from} to {to}, above the measured ground: no ambient survey, and not to be compared with one.",
-            ko: "아래의 모드는 계측한 지반운동을 입력으로 한 지진 중({from}–{to})의 구조물의 것이다. 상시진동 조사가 아니므로 상시진동 조사와 비교할 수 없다.",
+            en: "These modes are those of the structure IN the earthquake, {from} to {to}, above the measured ground: no ambient survey, and not to be compared with one.",
+            ko: "이 모드는 계측한 지반운동을 입력으로 한 지진 중({from}–{to})의 구조물의 것이다. 상시진동 조사가 아니므로 상시진동 조사와 비교할 수 없다.",
         },
         OfWhole => {
-            en: "The modes below are those of the whole record, most of all of the structure in the earthquake: no ambient survey, and not to be compared with one.",
-            ko: "아래의 모드는 기록 전체의 것으로 주로 지진 중의 구조물을 나타낸다. 상시진동 조사가 아니므로 상시진동 조사와 비교할 수 없다.",
+            en: "These modes are those of the whole record, most of all of the structure in the earthquake: no ambient survey, and not to be compared with one.",
+            ko: "이 모드는 기록 전체의 것으로 주로 지진 중의 구조물을 나타낸다. 상시진동 조사가 아니므로 상시진동 조사와 비교할 수 없다.",
         },
         NoTilt => {
             en: "A lasting tilt or displacement is not given: integrating an accelerometer twice makes one of any offset. Read a tilt sensor, or survey the tilt again.",

@@ -9,7 +9,7 @@ use super::setup_remarks::setup_faults;
 use super::steps::step_words;
 use super::values::{all_hertz, frequency, hertz};
 use crate::document::{Finding, Tone};
-use dolmen::modal::{DrivenMode, Mode, Note, PartialMode, SensorDoubt};
+use dolmen::modal::{DrivenMode, Mode, Note, PartialMode, Refusal, RefusedPeak, SensorDoubt};
 use dolmen::signal::Processing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
@@ -93,6 +93,14 @@ messages! {
             en: "Only {share} % of the motion at {frequency} follows the measured input: wind, people or noise move the rest, and clocks that differ or noise of the input would show as this too. Is it a mode of what the input drives?",
             ko: "{frequency}의 운동 중 계측한 입력을 따르는 것은 {share} %뿐이다. 나머지는 바람, 사람, 잡음에 의한 것이며, 시계가 다르거나 입력에 잡음이 많아도 이렇게 나타난다. 그 입력으로 움직이는 모드인지 확인한다.",
         },
+        InSpells { at: Values } => {
+            en: "Left out, since nothing stands there while the structure moves little: {at}. Steps or a machine that ran for a while, which shift modes near them too; or, in gusts, modes that noise hides in calm« (conditioning.cut takes a windy part alone)».",
+            ko: "구조물이 작게 움직이는 동안에는 나타나지 않아 제외한 진동수: {at}. 발걸음이나 잠시 가동한 기계이면 가까운 모드의 값도 그 영향을 받는다. 바람이 약할 때 잡음에 가려지는 모드일 수도 있다«(conditioning.cut으로 바람이 강한 구간만 쓴다)».",
+        },
+        PeaksAbove { peaks: Values } => {
+            en: "The spectrum has further peaks that a test on their scatter refused: {peaks}. They may be modes, so those found may not be all; the section of the record says how far off each is, and what admits it.",
+            ko: "산포 기준에서 제외된 피크가 더 있다: {peaks}. 모드일 수 있으므로 찾은 모드가 전부가 아닐 수 있다. 기준과의 차이와 채택 방법은 기록 항목에 있다.",
+        },
         PeaksBelow { peaks: Values, lowest: Quantity } => {
             en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; the section of the record says which test, and what admits it.",
             ko: "찾은 최저차 모드 {lowest} 아래에 판정 기준에서 제외된 피크가 있다: {peaks}. 1차 모드일 수 있다. 제외 사유와 채택 방법은 기록 항목에 있다.",
@@ -162,7 +170,8 @@ fn of_survey(survey: &SurveyAnswer) -> Vec<Finding> {
         all.extend(faults.map(|said| Finding::key(Tone::Warn, said).with_code("setups")));
         all.extend(accepted(&setups.modes().modes));
         let quakes = setups.records.iter().flat_map(|record| &record.earthquake);
-        all.extend(quakes.flat_map(earthquake::findings));
+        all.extend(quakes.clone().flat_map(earthquake::findings));
+        all.extend(quakes.map(earthquake::modes_of));
         all.extend(setups.records.iter().flat_map(doubts));
     }
     all
@@ -192,8 +201,8 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
     let found: Vec<&Mode> = modes.modes.iter().filter(|mode| mode.is_found()).collect();
     let values = frequencies(&found);
     let first = match found.len() {
-        0 => Finding::key(Tone::Unknown, Found::None { minutes, channels }),
-        1 => Finding::key(
+        0 => Finding::answer(Tone::Unknown, Found::None { minutes, channels }),
+        1 => Finding::answer(
             Tone::Plain,
             Found::One {
                 minutes,
@@ -202,7 +211,7 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
                 values,
             },
         ),
-        count => Finding::key(
+        count => Finding::answer(
             Tone::Plain,
             Found::Several {
                 modes: count,
@@ -215,9 +224,11 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
     };
     let mut all: Vec<Finding> = record.earthquake.iter().flat_map(earthquake::findings).collect();
     all.push(first);
+    all.extend(record.earthquake.iter().map(earthquake::modes_of));
     all.extend(following(record));
     all.extend(cautions(record));
-    all.extend(peaks_below(record, &found));
+    all.extend(refused_peaks(record, &found));
+    all.extend(in_spells(record));
     all.extend(accepted(&modes.modes));
     all.extend(doubts(record));
     all
@@ -244,26 +255,46 @@ fn following(record: &RecordAnswer) -> Vec<Finding> {
     said.collect()
 }
 
-/// Peaks of the spectrum below the lowest mode that no test admits: one of them may be the first mode.
-fn peaks_below(record: &RecordAnswer, found: &[&Mode]) -> Option<Finding> {
-    let lowest_hz = found
-        .iter()
-        .map(|mode| mode.frequency_hz)
-        .min_by(f64::total_cmp)?;
+/// Peaks of the spectrum that no test admits: below the lowest mode, where one may be the first mode, and those above that scatter too much.
+fn refused_peaks(record: &RecordAnswer, found: &[&Mode]) -> Vec<Finding> {
+    let frequencies = found.iter().map(|mode| mode.frequency_hz);
+    let Some(lowest_hz) = frequencies.min_by(f64::total_cmp) else {
+        return Vec::new();
+    };
     let peaks = record.analysis.notes.iter().find_map(|note| match note {
-        Note::PeaksWithoutMode { peaks } => Some(peaks),
+        Note::PeaksWithoutMode { peaks } => Some(peaks.as_slice()),
         _ => None,
-    })?;
-    let below = peaks
+    });
+    let is_scattered = |peak: &&RefusedPeak| matches!(peak.refusal, Some(Refusal::Scattered { .. }));
+    let (below, above): (Vec<&RefusedPeak>, Vec<&RefusedPeak>) = peaks
+        .unwrap_or_default()
         .iter()
-        .map(|peak| peak.frequency_hz)
-        .filter(|hz| *hz < lowest_hz);
-    let below: Vec<f64> = below.collect();
-    let said = Found::PeaksBelow {
+        .partition(|peak| peak.frequency_hz < lowest_hz);
+    let above = above.into_iter().filter(is_scattered);
+    let hz = |peak: &RefusedPeak| peak.frequency_hz;
+    let below: Vec<f64> = below.into_iter().map(hz).collect();
+    let above: Vec<f64> = above.map(hz).collect();
+    let below = (!below.is_empty()).then(|| Found::PeaksBelow {
         peaks: all_hertz(&below),
         lowest: hertz(lowest_hz),
-    };
-    (!below.is_empty()).then(|| Finding::key(Tone::Warn, said).with_code("mode-missing"))
+    });
+    let above = (!above.is_empty()).then(|| Found::PeaksAbove {
+        peaks: all_hertz(&above),
+    });
+    let all = below.into_iter().chain(above);
+    all.map(|said| Finding::qualifies(Tone::Warn, said).with_code("mode-missing"))
+        .collect()
+}
+
+/// Lines that stand out only while the structure moves more.
+fn in_spells(record: &RecordAnswer) -> Option<Finding> {
+    let modes = record.analysis.notes.iter().find_map(|note| match note {
+        Note::InSpells { modes } => Some(modes),
+        _ => None,
+    })?;
+    let at: Vec<f64> = modes.iter().map(|of| of.frequency_hz).collect();
+    let at = all_hertz(&at);
+    Some(Finding::qualifies(Tone::Warn, Found::InSpells { at }))
 }
 
 /// The frequencies, and whether they have deviations.

@@ -56,12 +56,12 @@ messages! {
             ko: "불규칙 외력은 운동의 세기와 위상을 똑같이 바꾸는데(0 ± 표준편차, 세기만 변하면 1, 위상만 변하면 −1) 다음은 그렇지 않다: {machines}. 회전수나 세기가 변하는 기계의 진동이면 모드로 신뢰할 수 없다. 강성이 진폭에 따라 변하여도 이렇게 나타난다. 기계가 멈춘 동안 다시 계측한다.",
         },
         InSpells { modes: Vec<Sentence>, first: Quantity } => {
-            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
-            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while; in gusts perhaps a mode that noise hides in calm.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 돌풍에서는 약할 때 잡음에 가려지는 모드일 수도 있다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         InSpellsAndMore { modes: Vec<Sentence>, more: usize, first: Quantity } => {
-            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
-            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while; in gusts perhaps a mode that noise hides in calm.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 돌풍에서는 약할 때 잡음에 가려지는 모드일 수도 있다.« 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         Comb { fundamental: Quantity, at: Values, first: Quantity } => {
             en: "Left out, since they are steadier than modes and lie at multiples of one frequency, {fundamental}: {at}. Steps that never pause, a bell or an engine; a mode among them is hidden. Measure again without them.« If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.»",

@@ -44,16 +44,19 @@ messages! {
             en: "{frequency} (setup {setups}, unlike in setup {others})",
             ko: "{frequency}(배치 {setups}, 배치 {others}에서는 다름)",
         },
-        Turned { references: Sentence, setup: usize, factor: Quantity, before: usize, modes: usize } => {
-            en: "Reference {references} looks turned round in setup {setup}: against the other references it moves {factor} times (± standard deviation) what it is in setup {before}, alike in {modes} modes; correct its direction or its scale, no shape put together over it is right.",
-            ko: "기준 센서 {references}은(는) 배치 {setup}에서 반대로 돌아간 것으로 보인다. 다른 기준 센서에 대한 운동이 배치 {before}의 {factor}배(± 표준편차)이며 모드 {modes}개에서 같다. 방향이나 배율을 바로잡아야 하며, 이 센서로 합성한 모드형상은 옳지 않다.",
+        Turned { suspects: Sentence, setup: usize, before: usize, modes: usize } => {
+            en: "A reference looks turned round in setup {setup}: against the others {suspects} what it does in setup {before} (± standard deviation), alike in {modes} modes; correct its direction or its scale, no shape put together over it is right.",
+            ko: "기준 센서 하나가 배치 {setup}에서 반대로 돌아간 것으로 보인다. 다른 기준 센서에 대한 운동이 배치 {before}에 비해 {suspects}이며(± 표준편차) 모드 {modes}개에서 같다. 방향이나 배율을 바로잡아야 하며, 이 센서로 합성한 모드형상은 옳지 않다.",
         },
-        OtherGain { references: Sentence, setup: usize, factor: Quantity, before: usize, modes: usize } => {
-            en: "Reference {references} has another gain in setup {setup}: against the other references it moves {factor} times (± standard deviation) what it is in setup {before}, alike in {modes} modes; correct its scale, no shape put together over it is right.",
-            ko: "기준 센서 {references}은(는) 배치 {setup}에서 감도가 다르다. 다른 기준 센서에 대한 운동이 배치 {before}의 {factor}배(± 표준편차)이며 모드 {modes}개에서 같다. 배율을 바로잡아야 하며, 이 센서로 합성한 모드형상은 옳지 않다.",
+        OtherGain { suspects: Sentence, setup: usize, before: usize, modes: usize } => {
+            en: "A reference has another gain in setup {setup}: against the others {suspects} what it does in setup {before} (± standard deviation), alike in {modes} modes; correct its scale, no shape put together over it is right.",
+            ko: "기준 센서 하나의 감도가 배치 {setup}에서 다르다. 다른 기준 센서에 대한 운동이 배치 {before}에 비해 {suspects}이며(± 표준편차) 모드 {modes}개에서 같다. 배율을 바로잡아야 하며, 이 센서로 합성한 모드형상은 옳지 않다.",
         },
-        Reference { name: String } => { en: "\"{name}\"", ko: "\"{name}\"" },
-        Or { first: Sentence, other: Sentence } => { en: "{first} or {other}", ko: "{first} 또는 {other}" },
+        Suspect { name: String, factor: Quantity } => {
+            en: "\"{name}\" moves {factor} times",
+            ko: "\"{name}\" {factor}배",
+        },
+        Or { first: Sentence, other: Sentence } => { en: "{first}, or {other}", ko: "{first} 또는 {other}" },
         NotShown { at: Values } => {
             en: "Setups by themselves show modes that the identification of all as one does not: {at}.",
             ko: "배치별 분석에는 있으나 전체를 하나로 분석하면 나타나지 않는 모드: {at}.",
@@ -156,28 +159,28 @@ fn left_out(partial: &[PartialMode]) -> Vec<Remarks> {
 }
 
 fn fault_words(fault: &ReferenceFault) -> Remarks {
-    let names = fault.channels.iter().cloned();
-    let names = names.map(|name| Sentence::from(Remarks::Reference { name }));
-    let names = names.reduce(|first, other| Remarks::Or { first, other }.into());
-    let references = names.unwrap_or_else(|| Sentence::of_symbol(""));
+    let each = fault.suspects.iter().map(|of| {
+        let factor = Quantity {
+            sd_si: Some(of.factor_sd),
+            ..fixed(of.factor, 2)
+        };
+        let name = of.channel.clone();
+        Sentence::from(Remarks::Suspect { name, factor })
+    });
+    let each = each.reduce(|first, other| Remarks::Or { first, other }.into());
+    let suspects = each.unwrap_or_else(|| Sentence::of_symbol(""));
     let [setup, before] = fault.setups.map(|setup| setup + 1);
     let modes = fault.modes;
-    let factor = Quantity {
-        sd_si: Some(fault.factor_sd),
-        ..fixed(fault.factor, 2)
-    };
-    match fault.factor < 0.0 {
+    match fault.is_turned() {
         true => Remarks::Turned {
-            references,
+            suspects,
             setup,
-            factor,
             before,
             modes,
         },
         false => Remarks::OtherGain {
-            references,
+            suspects,
             setup,
-            factor,
             before,
             modes,
         },

@@ -47,7 +47,7 @@ messages! {
             en: "{frequency}, confirmed on {confirmed}",
             ko: "{frequency} 모드 {confirmed} 확정",
         },
-        AndMore { more: usize } => { en: "and {more} more", ko: "그 밖 {more}건" },
+        AndMore { more: usize } => { en: "{more} more", ko: "그 밖 {more}건" },
         NoOpenAlarm { answered: usize, last: String } => {
             en: "No open alarm up to the survey of {last} (answered earlier: {answered}).",
             ko: "{last} 조사까지 조치되지 않은 경보가 없다(조치된 경보: {answered}건).",

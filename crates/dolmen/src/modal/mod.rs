@@ -53,7 +53,8 @@ pub use settings::Settings;
 pub(crate) use setups::shared;
 pub use setups::{
     Agreement, JointSetups, MergeSetups, MergedMode, MergedSetups, ModePair, MovedFurther, ObservedMode,
-    ObservedPoint, PairedModes, Pairing, PartialMode, ReferenceFault, joint_setups, merge_setups, pair_modes,
+    ObservedPoint, PairedModes, Pairing, PartialMode, ReferenceFault, SuspectReference, joint_setups,
+    merge_setups, pair_modes,
 };
 pub use spectrum::{Efdd, Fdd, FddResult, MatrixFraction, Plscf, SingularSpectrum, efdd, fdd, plscf};
 pub use strong::{

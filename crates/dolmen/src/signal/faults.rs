@@ -140,7 +140,7 @@ impl fmt::Display for ChannelFault {
         match self {
             Self::Constant { channel, value } => write!(
                 f,
-                "channel \"{channel}\" is dead: every sample is {value}; leave it out, and look at its cable"
+                "channel \"{channel}\" is dead: every sample is {value} in SI units; leave it out, and look at its cable"
             ),
             Self::Faint {
                 channel,
@@ -242,7 +242,7 @@ impl fmt::Display for ChannelFault {
 ///     100.0,
 /// )?;
 /// let faults = inspect(&record);
-/// assert!(faults[0].to_string().starts_with("channel \"base\" is dead: every sample is 0"));
+/// assert!(faults[0].to_string().starts_with("channel \"base\" is dead: every sample is 0 in SI"));
 /// # Ok::<(), dolmen::signal::SignalError>(())
 /// ```
 pub fn inspect(record: &Record) -> Vec<ChannelFault> {
@@ -490,7 +490,9 @@ mod tests {
     fn refuses_a_dead_channel() {
         assert_eq!(
             sentences(vec![shaken(0), vec![-0.25; 4000], shaken(2)]),
-            ["channel \"ch2\" is dead: every sample is -0.25; leave it out, and look at its cable"]
+            [
+                "channel \"ch2\" is dead: every sample is -0.25 in SI units; leave it out, and look at its cable"
+            ]
         );
     }
 

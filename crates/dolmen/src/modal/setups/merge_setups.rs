@@ -353,11 +353,11 @@ mod tests {
         for (factor, words) in [
             (
                 2.0,
-                "has another gain in setup 2: against the other references it moves 2.00",
+                "a reference has another gain in setup 2: against the others \"s7\" moves 2.00",
             ),
             (
                 -1.0,
-                "looks turned round in setup 2: against the other references it moves -1.00",
+                "a reference looks turned round in setup 2: against the others \"s7\" moves -1.00",
             ),
         ] {
             let mut setups = [
@@ -372,11 +372,11 @@ mod tests {
             let [fault] = &found.reference_faults[..] else {
                 panic!("{:?}", found.reference_faults)
             };
-            assert_eq!(
-                (fault.setups[0], &fault.channels[..]),
-                (1, &["s7".to_owned()][..])
-            );
-            assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
+            let [suspect] = &fault.suspects[..] else {
+                panic!("{fault:?}")
+            };
+            assert_eq!((fault.setups[0], suspect.channel.as_str()), (1, "s7"));
+            assert!((suspect.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
             assert!(fault.to_string().contains(words), "{fault}");
             // the first setup is at fault, which the two others show
             setups.swap(0, 1);
@@ -385,7 +385,29 @@ mod tests {
                 panic!("{:?}", found.reference_faults)
             };
             assert_eq!(fault.setups[0], 0);
-            assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
+            assert!(
+                (fault.suspects[0].factor / factor - 1.0).abs() < 1e-6,
+                "{fault:?}"
+            );
+        }
+    }
+
+    /// Of two references either may have the other gain, and each has its own factor.
+    #[test]
+    fn exact_each_of_two_references_has_the_factor_that_explains_the_difference_alone() {
+        let first = setup(&[6, 7, 0], Complex64::ONE, 1.0);
+        let mut second = setup(&[6, 7, 1], Complex64::ONE, 1.0);
+        for mode in &mut second.modes {
+            mode.shape[1] *= 1.5;
+        }
+        let found = merge_setups(&[first, second], &MergeSetups::default()).unwrap();
+        let [fault] = &found.reference_faults[..] else {
+            panic!("{:?}", found.reference_faults)
+        };
+        assert_eq!(fault.suspects.len(), 2, "{fault:?}");
+        for (channel, factor) in [("s7", 1.5), ("s6", 1.0 / 1.5)] {
+            let suspect = fault.suspects.iter().find(|of| of.channel == channel).unwrap();
+            assert!((suspect.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
         }
     }
 
@@ -400,8 +422,11 @@ mod tests {
         let [fault] = &found.reference_faults[..] else {
             panic!("{:?}", found.reference_faults)
         };
-        assert_eq!(fault.channels.len(), 2); // of two references either may be turned
-        assert!((fault.factor + 1.0).abs() < 1e-6, "{fault:?}");
+        assert_eq!(fault.suspects.len(), 2); // of two references either may be turned
+        assert!(
+            fault.suspects.iter().all(|of| (of.factor + 1.0).abs() < 1e-6),
+            "{fault:?}"
+        );
         assert!(
             found.partial.iter().all(|p| !p.unlike_in.is_empty()),
             "{:?}",

@@ -15,4 +15,4 @@ pub use merge_setups::{MergeSetups, MergedSetups, PartialMode, merge_setups};
 pub use merged_mode::MergedMode;
 pub(crate) use pairing::shared;
 pub use pairing::{ModePair, MovedFurther, ObservedMode, ObservedPoint, PairedModes, Pairing, pair_modes};
-pub use reference_gains::ReferenceFault;
+pub use reference_gains::{ReferenceFault, SuspectReference};

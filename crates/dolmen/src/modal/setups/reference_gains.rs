@@ -33,38 +33,66 @@ const ROUNDS: usize = 30;
 pub struct ReferenceFault {
     /// The setup at fault and the setup of comparison, from 0; with only two setups either may be at fault.
     pub setups: [usize; 2],
-    /// The sensors that explain the difference: one, or several that cannot be distinguished.
-    pub channels: Vec<String>,
-    /// Ratio of the measured to the expected displacement of the first sensor in the first setup; negative if the sensor was reversed.
-    pub factor: f64,
-    /// Standard deviation of the factor.
-    pub factor_sd: f64,
+    /// The sensors that explain the difference, the best first: one, or several that cannot be distinguished.
+    pub suspects: Vec<SuspectReference>,
     /// Number of modes that show the fault.
     pub modes: usize,
 }
 
+/// A sensor that explains the difference between two setups if it alone is at fault.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SuspectReference {
+    /// Its name.
+    pub channel: String,
+    /// Ratio of its measured to its expected displacement in the first setup; negative if it was reversed.
+    pub factor: f64,
+    /// Standard deviation of the factor.
+    pub factor_sd: f64,
+}
+
+impl ReferenceFault {
+    /// Whether its best suspect was reversed.
+    pub fn is_turned(&self) -> bool {
+        self.suspects.first().is_some_and(|of| of.factor < 0.0)
+    }
+
+    /// The same with the other setup at fault.
+    fn of_the_other_setup(&self) -> Self {
+        let turned_about = |of: &SuspectReference| SuspectReference {
+            channel: of.channel.clone(),
+            factor: of.factor.recip(),
+            factor_sd: of.factor_sd / of.factor.powi(2),
+        };
+        let [at, before] = self.setups;
+        ReferenceFault {
+            setups: [before, at],
+            suspects: self.suspects.iter().map(turned_about).collect(),
+            modes: self.modes,
+        }
+    }
+}
+
 impl std::fmt::Display for ReferenceFault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let names: Vec<String> = self.channels.iter().map(|name| format!("\"{name}\"")).collect();
+        let moves = |of: &SuspectReference| {
+            format!(
+                "\"{}\" moves {:.2} ± {:.2} times (standard deviation)",
+                of.channel, of.factor, of.factor_sd
+            )
+        };
+        let moves: Vec<String> = self.suspects.iter().map(moves).collect();
         let [at, before] = self.setups.map(|s| s + 1);
-        let names = names.join(" or ");
-        let seen = format!(
-            "{:.2} ± {:.2} times (standard deviation) what it is in setup {before}, alike in {} modes",
-            self.factor, self.factor_sd, self.modes
-        );
-        if self.factor < 0.0 {
-            write!(
-                f,
-                "reference {names} looks turned round in setup {at}: against the other references it moves {seen}; correct its direction or \
-                 its scale, no shape put together over it is right"
-            )
-        } else {
-            write!(
-                f,
-                "reference {names} has another gain in setup {at}: against the other references it moves {seen}; correct its scale, no shape \
-                 put together over it is right"
-            )
-        }
+        let (fault, correct) = match self.is_turned() {
+            true => ("a reference looks turned round", "direction or its scale"),
+            false => ("a reference has another gain", "scale"),
+        };
+        write!(
+            f,
+            "{fault} in setup {at}: against the others {} what it does in setup {before}, alike in {} modes; correct its {correct}, no \
+             shape put together over it is right",
+            moves.join(", or "),
+            self.modes
+        )
     }
 }
 
@@ -97,19 +125,15 @@ pub(super) fn reference_faults(
     // the setup that takes part in most faults of a sensor is at fault
     let mut named: Vec<ReferenceFault> = Vec::new();
     let alike = |a: &ReferenceFault, b: &ReferenceFault| {
-        a.channels.len() == b.channels.len() && a.channels.iter().all(|name| b.channels.contains(name))
+        let has = |of: &SuspectReference| b.suspects.iter().any(|other| other.channel == of.channel);
+        a.suspects.len() == b.suspects.len() && a.suspects.iter().all(has)
     };
     for fault in &found {
         let same: Vec<&ReferenceFault> = found.iter().filter(|o| alike(o, fault)).collect();
         let count = |setup: usize| same.iter().filter(|o| o.setups.contains(&setup)).count();
         let [later, before] = fault.setups;
         let told = if count(before) > count(later) {
-            ReferenceFault {
-                setups: [before, later],
-                factor: fault.factor.recip(),
-                factor_sd: fault.factor_sd / fault.factor.powi(2),
-                ..fault.clone()
-            }
+            fault.of_the_other_setup()
         } else {
             fault.clone()
         };
@@ -172,12 +196,14 @@ fn of_two(
     let alike = fits
         .iter()
         .filter(|(_, fit)| fit.left < TOLD_APART * best.left.max(freedom.max(1.0)));
-    let channels = alike.map(|(c, _)| of_b.channels[shared[*c].1].name.clone());
+    let suspects = alike.map(|(c, fit)| SuspectReference {
+        channel: of_b.channels[shared[*c].1].name.clone(),
+        factor: fit.factor.recip(), // what it shows over what it should
+        factor_sd: fit.sd * widened / fit.factor.powi(2),
+    });
     Ok(Some(ReferenceFault {
         setups: [later, before],
-        channels: channels.collect(),
-        factor: best.factor.recip(), // what it shows over what it should
-        factor_sd: sd / best.factor.powi(2),
+        suspects: suspects.collect(),
         modes: modes.len(),
     }))
 }
