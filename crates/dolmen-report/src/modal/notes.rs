@@ -36,8 +36,8 @@ messages! {
             ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다.« 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮추거나 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         TonesOnModes { tones: Vec<Sentence> } => {
-            en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low, and its shape is the machine's too: measure while the machine rests.",
-            ko: "모드의 진동수에서 기계가 가동한다({tones}). 기록 전체에서 위상이 일정한 정현파가 있어 그 모드의 감쇠비는 실제보다 작고 모드형상에는 기계의 영향이 섞인다. 기계가 멈춘 동안 다시 계측한다.",
+            en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low (none is given where by more than its interval), and its shape is the machine's too: measure while the machine rests.",
+            ko: "모드의 진동수에서 기계가 가동한다({tones}). 기록 전체에서 위상이 일정한 정현파가 있어 그 모드의 감쇠비는 실제보다 작고(그 차이가 신뢰구간보다 크면 제시하지 않는다) 모드형상에는 기계의 영향이 섞인다. 기계가 멈춘 동안 다시 계측한다.",
         },
         HarmonicsRemoved { steady: Vec<Sentence> } => {
             en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, left out.",
@@ -101,8 +101,8 @@ messages! {
             ko: "{frequency}(감쇠비 {damping})",
         },
         FromPeaks { at: Values } => {
-            en: "No stable pole shows the modes at {at}: they are peaks of the spectrum to whose lines a mode was fitted, and fits; their shapes have no deviation.",
-            ko: "{at} 모드는 안정 극점에는 나타나지 않으나, 스펙트럼 피크의 푸리에 선에 모드를 적합하여 얻었고 잘 맞는다. 모드형상의 표준편차는 없다.",
+            en: "No stable pole shows the modes at {at}: a mode was fitted to the lines of the spectrum there, and fits; the shape of one that was only a peak has no deviation.",
+            ko: "{at} 모드는 안정 극점에는 나타나지 않으나, 그 주변의 푸리에 선에 모드를 적합하여 얻었고 잘 맞는다. 스펙트럼 피크뿐이던 모드의 모드형상에는 표준편차가 없다.",
         },
         NotFitted { at: Values } => {
             en: "The modes at {at} are those of ssi-cov, not fitted further: the spectrum about them is not that of these modes alone under even forces (another mode, a machine, a stiffness that follows the motion), or has too few lines.",

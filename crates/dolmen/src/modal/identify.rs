@@ -5,7 +5,7 @@ use super::candidate::Candidate;
 use super::decay::{decays_in, of_decay};
 use super::driven::of_driven;
 use super::halves::changed_between_halves;
-use super::likelihood::refined;
+use super::likelihood::{Question, refined, shown_by_lines};
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
 use super::quality::in_valleys;
@@ -17,11 +17,12 @@ use super::quality::note_hidden_pairs;
 use super::quality::off_clocks;
 use super::quality::{Diagram, remark};
 use super::quality::{Quantities, doubt_channels, to_one_quantity};
-use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
+use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones};
+use super::quality::{leave_out_steadier, test_for_machines};
 use super::quality::{unequal, widen};
 use super::settings::choose;
 use super::shared_steps::{
-    check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter,
+    check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter, undecided_of,
 };
 use super::shared_steps::{pick, spectrum, wanted};
 use super::spectrum::FddResult;
@@ -29,7 +30,7 @@ use super::spectrum::FractionScatter;
 use super::spectrum::Plscf;
 use super::spectrum::plscf;
 use super::spectrum::{REFERENCES_LEAST, keeping_most, least_of_wide};
-use super::subspace::{AllOrders, Deviations};
+use super::subspace::{AllOrders, Cluster, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Mode, Modes, Note, Propagation, Refusal};
 use crate::signal::{Record, leave_out};
@@ -141,7 +142,7 @@ fn of_ambient(
     let mut of_channels = Vec::new();
     doubt_channels(&analysis.modes, &mut of_channels);
     put_in(record, options, insisted, &mut analysis.modes, &mut notes)?;
-    note_tones_on_modes(record, (&analysis.modes, &analysis.fdd_modes), &mut notes);
+    note_tones_on_modes(record, (&mut analysis.modes, &analysis.fdd_modes), &mut notes);
     let diagram = Diagram {
         stabilization: &analysis.stabilization,
         clusters: &analysis.clusters,
@@ -343,6 +344,16 @@ fn of_poles(
     };
     note_blends(&clusters, notes);
     let mut modes = modes_of(&clusters, record.duration_s());
+    if matches!(options.method, Method::SsiCov | Method::SsiData) {
+        let how = Question {
+            range_hz: settings.range_hz,
+            criteria: &criteria,
+            deviation_over_floor_most: options.clustering.deviation_over_floor_most,
+            tones_hz,
+            time_blocks: settings.time_blocks,
+        };
+        add_undecided((record, options), &clusters, &how, (&mut modes, notes))?;
+    }
     if options.method == Method::Bayoma {
         modes = refined(record, modes, (&peaks, tones_hz), (&settings, &criteria), notes);
     }
@@ -370,4 +381,25 @@ fn of_poles(
         driven: None,
         notes: Vec::new(),
     })
+}
+
+/// Adds the modes of undecided clusters that the lines of the record show, and names them in a note.
+fn add_undecided(
+    (record, options): (&Record, &Identify),
+    clusters: &[Cluster],
+    how: &Question<'_>,
+    (modes, notes): (&mut Vec<Mode>, &mut Vec<Note>),
+) -> Result<(), ModalError> {
+    let undecided = undecided_of(clusters, record.duration_s());
+    let mut shown = shown_by_lines(record, modes, undecided, how);
+    leave_out_steadier((record, options), &mut shown)?;
+    shown.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    if !shown.is_empty() {
+        notes.push(Note::FromPeaks {
+            frequency_hz: shown.iter().map(|mode| mode.frequency_hz).collect(),
+        });
+    }
+    modes.append(&mut shown);
+    modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    Ok(())
 }

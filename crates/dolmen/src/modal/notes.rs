@@ -109,7 +109,7 @@ pub enum Note {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Modes without a stable pole: peaks of the spectrum that fit the model of a mode.
+    /// Modes without a stable pole, or with poles that scatter: the lines of the spectrum fit the model of a mode there.
     FromPeaks {
         /// Frequencies of these modes, Hz.
         frequency_hz: Vec<f64>,
@@ -260,7 +260,7 @@ impl std::fmt::Display for Note {
                 write!(
                     f,
                     "machines run on modes, at {}: their sines keep one phase for the whole record; the damping ratio of such a mode comes \
-                     out too low, and its shape is the machine's too: measure while the machine rests",
+                     out too low (none is given where by more than its interval), and its shape is the machine's too: measure while the machine rests",
                     all.join(", ")
                 )
             }
@@ -371,7 +371,7 @@ impl std::fmt::Display for Note {
                 list(f, frequency_hz)?;
                 write!(
                     f,
-                    " Hz: they are peaks of the spectrum to whose lines a mode was fitted, and fits; their shapes have no deviation"
+                    " Hz: a mode was fitted to the lines of the spectrum there, and fits; the shape of one that was only a peak has no deviation"
                 )
             }
             Note::NotFitted { frequency_hz } => {

@@ -83,6 +83,10 @@ impl Settings {
 /// Share of the lowest peak at which its mode is still in range. Our choice: several times the scatter of a mode in ten minutes.
 const LOWEST_SCATTERS: f64 = 0.98;
 
+/// Highest frequency that digitisers pass, over the Nyquist frequency: their filters end at 0.9 of it or before, and what lies above is partly an
+/// alias. A frequency that the user requests counts up to the Nyquist frequency.
+const PASSED_SHARE: f64 = 0.9;
+
 /// Fewest blocks of time: with fewer blocks, the error of the standard deviations exceeds 24 %.
 const TIME_BLOCKS_LEAST: usize = 10;
 
@@ -168,10 +172,10 @@ pub(super) fn choose(
             degrees: (PERIODS_IN_DEGREES * sampling_rate_hz / lowest_hz).ceil() as usize,
         },
     )?;
-    let clean_hz = if decimation > 1 {
-        0.5 * CLEAN_SHARE * sampling_rate_hz
-    } else {
-        0.5 * rate_hz
+    let clean_hz = match decimation {
+        1 if options.frequency_high_hz.is_some() => 0.5 * rate_hz,
+        1 => 0.5 * PASSED_SHARE * rate_hz,
+        _ => 0.5 * CLEAN_SHARE * sampling_rate_hz,
     };
     let clean_hz = clean_hz.min(passed_hz(record).unwrap_or(clean_hz));
     // below this the lags cover less than a period; with the fewest block rows the lowest mode itself scatters about it

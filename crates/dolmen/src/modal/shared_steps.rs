@@ -193,6 +193,22 @@ pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
         .collect()
 }
 
+/// Clusters that recur, with a nearly real shape, but scatter or have too few orders, as modes. Our choice of the collinearity: a structure that moves
+/// alone has real shapes, and machines of the Palisaden record, whose lines are as wide as those of modes, reach 0.42 to 0.63.
+pub(super) fn undecided_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
+    const COLLINEARITY_LEAST: f64 = 0.9;
+    let is_undecided = |c: &&Cluster| {
+        matches!(c.fate, Fate::Scattered | Fate::FewOrders)
+            && c.deviation.is_some()
+            && c.medoid.phase_collinearity >= COLLINEARITY_LEAST
+    };
+    clusters
+        .iter()
+        .filter(is_undecided)
+        .map(|c| mode_of(c, duration_s))
+        .collect()
+}
+
 /// The mode of a cluster of poles.
 pub(super) fn mode_of(c: &Cluster, duration_s: f64) -> Mode {
     Mode {

@@ -7,7 +7,7 @@ use super::made_records::{deviation, matched};
 use dolmen::modal::{
     Criteria, Harmonics, Identify, MadeMode, MadeRecord, Note, ReferenceCase, Refusal, identify,
 };
-use dolmen::signal::Record;
+use dolmen::signal::{Channel, Record};
 
 #[test]
 fn holds_a_machine_is_named_and_neither_a_mode_nor_a_reason_to_keep_high_frequencies() {
@@ -211,4 +211,28 @@ fn holds_a_peak_that_is_no_mode_says_what_refused_it_and_by_how_much() {
         };
         assert!(most == 0.008 && (0.01..0.04).contains(&damping_ratio), "{peak:?}");
     }
+}
+
+/// The measured record of the folder `examples/palisaden`: 32-bit floats, sample by sample.
+fn palisaden() -> Record {
+    let bytes = include_bytes!("../../../../examples/palisaden/record.npy");
+    let start = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+    let values: Vec<f64> = bytes[start..]
+        .chunks_exact(4)
+        .map(|four| f64::from(f32::from_le_bytes(four.try_into().unwrap())))
+        .collect();
+    let channels = (1..=6).map(|c| Channel::named(format!("ch{c}"))).collect();
+    let samples = (0..6).map(|c| values.iter().skip(c).step_by(6).copied().collect());
+    Record::new(channels, samples.collect(), 100.0).unwrap()
+}
+
+#[test]
+fn holds_no_machine_of_palisaden_becomes_a_mode() {
+    // the three published modes, and no line between 11.2 and 24 Hz, where machines run (11.31, 13.27, 13.37, 20.53 Hz)
+    let found = identify(&palisaden(), &Identify::default()).unwrap();
+    let hz: Vec<f64> = found.modes.modes.iter().map(|mode| mode.frequency_hz).collect();
+    for published in [1.882, 2.421, 2.687] {
+        assert!(hz.iter().any(|hz| (hz / published - 1.0).abs() < 0.006), "{hz:?}");
+    }
+    assert!(hz.iter().all(|hz| *hz < 11.2), "{hz:?}");
 }

@@ -5,8 +5,8 @@
 //! | D | `Spectra` | expected cross spectra of the modes under unit force densities | m × m |
 //! | Ψ, P, B | `shapes`, `forces`, `noise` | shapes in the coordinates of the fit; spectral densities of the
 //! modal forces, and of all other motion | r × m, m × m, r × r |
-//! | a | `rise` | exponent of the frequency in the force density | - |
-//! | S | | (f/f_m)^a Ψ (P ∘ D) Ψ* + B | r × r |
+//! | a, b | `rise`, `tilt` | exponents of the frequency in the force density, and in the density of all other motion | - |
+//! | S | | (f/f_m)^a Ψ (P ∘ D) Ψ* + (f/f_m)^b B | r × r |
 
 use super::band_motion::{Oscillator, Spectra};
 use super::hermitian::{Part, add_hermitian, adjoint, hermitian, plus, scaled, times};
@@ -15,6 +15,8 @@ use dolmen_linalg::{Complex64, ComplexMatrix};
 const DAMPING_MOST: f64 = 0.5;
 /// Largest exponent of the frequency, positive or negative.
 const RISE_MOST: f64 = 20.0;
+/// Largest logarithm of the ratio of the densities at the ends of a band with free noise.
+const ACROSS_MOST: f64 = 10.0;
 /// Largest coherence between the forces of two modes.
 const COHERENCE_MOST: f64 = 0.999;
 
@@ -29,6 +31,8 @@ pub(super) struct Band {
     pub(super) range_hz: [f64; 2],
     /// Exponent of the frequency in the force density.
     pub(super) rise: f64,
+    /// Exponent of the frequency in the density of all other motion, if it is free.
+    pub(super) tilt: Option<f64>,
 }
 
 /// One real free parameter.
@@ -40,6 +44,7 @@ pub(super) enum Free {
     Force(usize, usize, Part),
     Noise(usize, usize, Part),
     Rise,
+    Tilt,
 }
 
 impl Band {
@@ -57,7 +62,8 @@ impl Band {
         }
         free.extend(hermitian(m).map(|(i, j, part)| Free::Force(i, j, part)));
         free.extend(hermitian(r).map(|(i, j, part)| Free::Noise(i, j, part)));
-        free.push(Free::Rise);
+        free.extend((m > 0).then_some(Free::Rise));
+        free.extend(self.tilt.map(|_| Free::Tilt));
         free
     }
 
@@ -71,6 +77,7 @@ impl Band {
                 Free::Force(i, j, part) => add_hermitian(&mut to.forces, (i, j), by * part.unit()),
                 Free::Noise(i, j, part) => add_hermitian(&mut to.noise, (i, j), by * part.unit()),
                 Free::Rise => to.rise += by,
+                Free::Tilt => to.tilt = to.tilt.map(|tilt| tilt + by),
             }
         }
         for i in 0..to.oscillators.len() {
@@ -90,9 +97,21 @@ impl Band {
     pub(super) fn possible(&self) -> bool {
         let m = self.oscillators.len();
         let damped = |o: &Oscillator| o.damping_ratio > 0.0 && o.damping_ratio < DAMPING_MOST;
-        self.rise.abs() < RISE_MOST
+        let most = self.exponent_most();
+        self.rise.abs() < most
+            && self.tilt.is_none_or(|tilt| tilt.abs() < most)
             && self.oscillators.iter().all(|o| damped(o) && o.frequency_hz > 0.0)
             && (0..m).all(|i| self.forces[(i, i)].re > 0.0)
+    }
+
+    /// Largest exponent of the frequency. Where noise may be the skirt of a mode beside the band, it is as steep as in any band.
+    fn exponent_most(&self) -> f64 {
+        let [low, high] = self.range_hz;
+        let reach = (high / low).ln().max(f64::MIN_POSITIVE);
+        match self.tilt {
+            Some(_) => RISE_MOST.max(ACROSS_MOST / reach),
+            None => RISE_MOST,
+        }
     }
 
     pub(super) fn coherence(&self) -> f64 {
@@ -105,10 +124,17 @@ impl Band {
             .fold(0.0, f64::max)
     }
 
-    /// S = Ψ (P ∘ D) Ψ* + B.
+    /// S = (f/f_m)^a Ψ (P ∘ D) Ψ* + (f/f_m)^b B.
     pub(super) fn expected(&self, d: &ComplexMatrix, frequency_hz: f64) -> ComplexMatrix {
         let motion = self.along_shapes(&self.under_forces(d));
-        plus(&scaled(&motion, self.risen(frequency_hz)), &self.noise)
+        let noise = scaled(&self.noise, self.tilted(frequency_hz));
+        plus(&scaled(&motion, self.risen(frequency_hz)), &noise)
+    }
+
+    /// Density of all other motion relative to that at the middle of the band.
+    fn tilted(&self, frequency_hz: f64) -> f64 {
+        self.tilt
+            .map_or(1.0, |tilt| (tilt * self.logarithm(frequency_hz)).exp())
     }
 
     /// Force density relative to that at the middle of the band; constant outside the band.
@@ -169,8 +195,9 @@ impl Band {
             Free::Noise(a, b, part) => {
                 let mut unit = ComplexMatrix::zeros(r, r);
                 add_hermitian(&mut unit, (a, b), part.unit());
-                unit
+                scaled(&unit, self.tilted(frequency_hz))
             }
+            Free::Tilt => scaled(&self.noise, ln * self.tilted(frequency_hz)),
         }
     }
 }

@@ -29,16 +29,39 @@ pub(super) struct BandFit {
     /// Inverse of the information.   shape: free × free
     covariance: Matrix,
     recorded: Recorded,
+    log_likelihood: f64,
 }
 
 /// Largest number of steps of the search; ten are usual.
 const STEPS_MOST: usize = 80;
 /// Damping of the search above which no step can increase the likelihood: its maximum is outside the possible values.
 const DAMP_MOST: f64 = 1e9;
-/// The search ends when the expected gain of a step in log-likelihood is below this value, which is a hundredth of a standard deviation.
-const PROMISE_LEAST: f64 = 1e-4;
+/// Expected gain of a step in log-likelihood, a hundredth of a standard deviation, at which a search ends.
+pub(super) const PROMISE_LEAST: f64 = 1e-4;
+
+/// Where a search ends.
+pub(super) struct Maximum {
+    pub(super) log_likelihood: f64,
+    band: Band,
+    free: Vec<Free>,
+    /// F.   shape: free × free
+    information: Matrix,
+}
 
 /// The band with the highest likelihood, starting from `start`; `None` if the search finds no maximum or the maximum is flat.
+pub(super) fn fit(cells: &[Cell], start: Band, recorded: Recorded) -> Option<BandFit> {
+    let found = maximum(cells, start, recorded, &|_| PROMISE_LEAST)?;
+    Some(BandFit {
+        band: found.band,
+        free: found.free,
+        covariance: inverse(&found.information)?,
+        recorded,
+        log_likelihood: found.log_likelihood,
+    })
+}
+
+/// The highest likelihood, starting from `start`: the search ends when the expected gain of a step in log-likelihood is below
+/// `promise_least` of the log-likelihood that it has reached. `None` if it finds no maximum.
 ///
 /// ```text
 /// ln L = - Σ n (ln det S + tr S⁻¹ zz*),   step (F + λ diag F) δ = g
@@ -48,27 +71,32 @@ const PROMISE_LEAST: f64 = 1e-4;
 /// # Source
 /// Whittle (1953) Ark. Mat. 2:423-434, with the expected periodogram in place of the spectrum (Sykulski et al. 2019 Biometrika 106:251-266). With
 /// flat priors it is the most probable value of Au (2011) Mech. Syst. Signal Process. 26:201-217.
-pub(super) fn fit(cells: &[Cell], start: Band, recorded: Recorded) -> Option<BandFit> {
+pub(super) fn maximum(
+    cells: &[Cell],
+    start: Band,
+    recorded: Recorded,
+    promise_least: &dyn Fn(f64) -> f64,
+) -> Option<Maximum> {
     let free = start.free();
     let mut band = start;
-    let mut likelihood = log_likelihood(cells, &band, recorded)?;
+    let mut log_likelihood = likelihood_of(cells, &band, recorded)?;
     let mut damp = 1e-3;
     for _ in 0..STEPS_MOST {
         let (gradient, information) = derivatives(cells, &band, &free, recorded)?;
-        if inner(&gradient, &step(&gradient, &information, 0.0)?) < PROMISE_LEAST {
-            return Some(BandFit {
+        if inner(&gradient, &step(&gradient, &information, 0.0)?) < promise_least(log_likelihood) {
+            return Some(Maximum {
+                log_likelihood,
                 band,
                 free,
-                covariance: inverse(&information)?,
-                recorded,
+                information,
             });
         }
         loop {
             let step = step(&gradient, &information, damp)?;
             let moved = band.moved(&free, &step);
-            let found = log_likelihood(cells, &moved, recorded).filter(|new| *new > likelihood);
+            let found = likelihood_of(cells, &moved, recorded).filter(|new| *new > log_likelihood);
             if let Some(new) = found {
-                (band, likelihood) = (moved, new);
+                (band, log_likelihood) = (moved, new);
                 damp *= 0.1;
                 break;
             }
@@ -105,6 +133,11 @@ fn inverse(a: &Matrix) -> Option<Matrix> {
 }
 
 impl BandFit {
+    /// Logarithm of the likelihood.
+    pub(super) fn log_likelihood(&self) -> f64 {
+        self.log_likelihood
+    }
+
     /// Difference between the recorded and the expected power, in its standard deviations: 0 ± 1 for a true model, more for an incomplete model.
     ///
     /// ```text
@@ -182,7 +215,7 @@ impl BandFit {
     }
 }
 
-fn log_likelihood(cells: &[Cell], band: &Band, recorded: Recorded) -> Option<f64> {
+fn likelihood_of(cells: &[Cell], band: &Band, recorded: Recorded) -> Option<f64> {
     if !band.possible() {
         return None;
     }
@@ -273,6 +306,7 @@ mod tests {
             noise: matrix([[(0.5, 0.0), (0.1, 0.0)], [(0.1, 0.0), (0.7, 0.0)]]),
             range_hz: [1.2, 1.8],
             rise: 1.5,
+            tilt: None,
         }
     }
 
@@ -333,6 +367,7 @@ mod tests {
             noise: one(1e-4),
             range_hz: [0.6, 2.4],
             rise: 0.0,
+            tilt: None,
         };
         let found = fit(&exact(&band), band.clone(), RECORDED).unwrap();
         let [frequency, damping] = found.variances()[0];
@@ -387,7 +422,7 @@ mod tests {
             let at = |sign: f64| {
                 let mut step = vec![0.0; free.len()];
                 step[a] = sign * by;
-                log_likelihood(&cells, &off.moved(&free, &step), RECORDED).unwrap()
+                likelihood_of(&cells, &off.moved(&free, &step), RECORDED).unwrap()
             };
             let slope = (at(1.0) - at(-1.0)) / (2.0 * by);
             let scale = information[(a, a)].sqrt();

@@ -171,50 +171,70 @@ pub(super) fn bands_of(modes: &[Mode], range_hz: [f64; 2], lines: &Lines) -> Vec
         let Some(g) = nearest else { break };
         groups[g].end = groups.remove(g + 1).end;
     }
+    let each = groups.into_iter();
+    each.map(|group| band_of(modes, group, range_hz, lines)).collect()
+}
+
+/// A mode and the nearest other one, if that is close.
+pub(super) fn with_nearest(modes: &[Mode], which: usize) -> Range<usize> {
+    let half_hz = |m: &Mode| m.damping_ratio.unwrap_or(0.0) * m.frequency_hz;
+    let apart = |a: &usize| {
+        let (a, b) = (&modes[*a], &modes[which]);
+        (b.frequency_hz - a.frequency_hz).abs() / (half_hz(a) + half_hz(b))
+    };
+    let above = Some(which + 1).filter(|above| *above < modes.len());
+    let beside = [which.checked_sub(1), above].into_iter().flatten();
+    let nearest = beside.min_by(|a, b| apart(a).total_cmp(&apart(b)));
+    match nearest.filter(|at| apart(at) < TOGETHER) {
+        Some(at) => at.min(which)..at.max(which) + 1,
+        None => which..which + 1,
+    }
+}
+
+/// The band of a group of modes, which ends halfway to the next mode.
+pub(super) fn band_of(modes: &[Mode], group: Range<usize>, range_hz: [f64; 2], lines: &Lines) -> BandLines {
+    let half_hz = |m: &Mode| m.damping_ratio.unwrap_or(0.0) * m.frequency_hz;
     let reach_hz = |m: &Mode| (HALF_WIDTHS * half_hz(m)).min(REACH_MOST * m.frequency_hz);
     let middle = |a: usize, b: usize| 0.5 * (modes[a].frequency_hz + modes[b].frequency_hz);
-    let band = |group: Range<usize>| {
-        let own = &modes[group.clone()];
-        let low = own
+    let own = &modes[group.clone()];
+    let low = own
+        .iter()
+        .map(|m| m.frequency_hz - reach_hz(m))
+        .fold(f64::INFINITY, f64::min);
+    let high = own
+        .iter()
+        .map(|m| m.frequency_hz + reach_hz(m))
+        .fold(0.0, f64::max);
+    let low = low.max(range_hz[0]).max(if group.start > 0 {
+        middle(group.start - 1, group.start)
+    } else {
+        0.0
+    });
+    let high = high.min(range_hz[1]).min(if group.end < modes.len() {
+        middle(group.end - 1, group.end)
+    } else {
+        f64::INFINITY
+    });
+    let duration_s = lines.recorded.duration_s;
+    let last = ((high * duration_s) as usize).min(lines.length / 2 - 1);
+    let first = ((low * duration_s).ceil() as usize).max(1);
+    BandLines {
+        oscillators: own
             .iter()
-            .map(|m| m.frequency_hz - reach_hz(m))
-            .fold(f64::INFINITY, f64::min);
-        let high = own
-            .iter()
-            .map(|m| m.frequency_hz + reach_hz(m))
-            .fold(0.0, f64::max);
-        let low = low.max(range_hz[0]).max(if group.start > 0 {
-            middle(group.start - 1, group.start)
-        } else {
-            0.0
-        });
-        let high = high.min(range_hz[1]).min(if group.end < modes.len() {
-            middle(group.end - 1, group.end)
-        } else {
-            f64::INFINITY
-        });
-        let duration_s = lines.recorded.duration_s;
-        let last = ((high * duration_s) as usize).min(lines.length / 2 - 1);
-        let first = ((low * duration_s).ceil() as usize).max(1);
-        BandLines {
-            oscillators: own
-                .iter()
-                .map(|m| Oscillator {
-                    frequency_hz: m.frequency_hz,
-                    damping_ratio: m.damping_ratio.unwrap_or(0.0),
-                })
-                .collect(),
-            shapes: own.iter().map(|m| m.shape.clone()).collect(),
-            modes: group,
-            lines: first..last.max(first),
-            sums: Vec::new(),
-            along: ComplexMatrix::default(),
-            seen: ComplexMatrix::default(),
-            cells: Vec::new(),
-            cell_of: Vec::new(),
-        }
-    };
-    groups.into_iter().map(band).collect()
+            .map(|m| Oscillator {
+                frequency_hz: m.frequency_hz,
+                damping_ratio: m.damping_ratio.unwrap_or(0.0),
+            })
+            .collect(),
+        shapes: own.iter().map(|m| m.shape.clone()).collect(),
+        modes: group,
+        lines: first..last.max(first),
+        sums: Vec::new(),
+        along: ComplexMatrix::default(),
+        seen: ComplexMatrix::default(),
+        cells: Vec::new(),
+        cell_of: Vec::new(),
+    }
 }
 
 impl BandLines {
@@ -382,6 +402,7 @@ impl BandLines {
             noise,
             range_hz: self.range_hz(),
             rise: 0.0,
+            tilt: None,
         })
     }
 
@@ -476,29 +497,28 @@ impl BandLines {
 
     /// Whether each mode is still near its initial value, with a standard deviation that is plausible for the length of the record.
     pub(super) fn are_the_same(&self, fit: &BandFit, modes: &[Mode]) -> bool {
-        let shapes = self.shapes_found(fit);
-        let alike = |i: usize| assurance(shapes.column(i), &self.shapes[i]) >= ALIKE_LEAST;
-        if fit.band.coherence() > COHERENCE_MOST || !(0..self.shapes.len()).all(alike) {
-            return false;
-        }
-        let each = modes[self.modes.clone()]
-            .iter()
-            .zip(&fit.band.oscillators)
-            .zip(fit.variances());
-        each.into_iter().all(|((mode, found), variances)| {
-            let far = |by: f64, sd: Option<f64>| sd.is_none_or(|sd| by.abs() > DEVIATIONS_MOST * sd);
-            let floors = [
-                mode.frequency_floor_hz(),
-                mode.damping_floor() * found.damping_ratio,
-            ];
-            let known = |(variance, floor): (&f64, f64)| variance.sqrt() < FLOORS_MOST * floor;
-            variances.iter().zip(floors).all(known)
-                && !far(found.frequency_hz - mode.frequency_hz, mode.frequency_sd_hz)
-                && !far(
-                    found.damping_ratio - mode.damping_ratio.unwrap_or(0.0),
-                    mode.damping_ratio_sd,
-                )
-        })
+        (0..self.shapes.len()).all(|i| self.is_the_same(fit, modes, i))
+    }
+
+    /// The same for mode `i` of the band alone.
+    pub(super) fn is_the_same(&self, fit: &BandFit, modes: &[Mode], i: usize) -> bool {
+        let mode = &modes[self.modes.start + i];
+        let found = &fit.band.oscillators[i];
+        let variances = fit.variances()[i];
+        let far = |by: f64, sd: Option<f64>| sd.is_none_or(|sd| by.abs() > DEVIATIONS_MOST * sd);
+        let floors = [
+            mode.frequency_floor_hz(),
+            mode.damping_floor() * found.damping_ratio,
+        ];
+        let known = |(variance, floor): (&f64, f64)| variance.sqrt() < FLOORS_MOST * floor;
+        fit.band.coherence() <= COHERENCE_MOST
+            && assurance(self.shapes_found(fit).column(i), &self.shapes[i]) >= ALIKE_LEAST
+            && variances.iter().zip(floors).all(known)
+            && !far(found.frequency_hz - mode.frequency_hz, mode.frequency_sd_hz)
+            && !far(
+                found.damping_ratio - mode.damping_ratio.unwrap_or(0.0),
+                mode.damping_ratio_sd,
+            )
     }
 }
 

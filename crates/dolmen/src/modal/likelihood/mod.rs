@@ -5,6 +5,8 @@ mod band_fit;
 mod band_lines;
 mod band_motion;
 mod bayoma;
+mod evidence;
 mod hermitian;
 
 pub(super) use bayoma::refined;
+pub(super) use evidence::{Question, shown_by_lines};

@@ -16,7 +16,7 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 use std::f64::consts::PI;
 
-const GAUSSIAN: f64 = 3.0;
+pub(super) const GAUSSIAN: f64 = 3.0;
 /// Numbers of parts into which the record is divided. Long parts show a weak tone, short parts a tone of variable frequency.
 const PARTS: [usize; 2] = [64, 256];
 /// Fewest cycles in a part; with fewer, the sum includes the mean and the mirrored frequency.

@@ -1,6 +1,6 @@
 //! Peaks and modes caused by machines, detected by their width, steadiness and variation.
 
-use super::harmonics::{Kurtosis, band_kurtosis};
+use super::harmonics::{GAUSSIAN, Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
 use super::lines::{FineLines, LineTest, seeing_most};
 use super::remarks::{USUAL_LEAST, explained};
@@ -15,6 +15,9 @@ use crate::signal::Record;
 /// Largest power of a sine, over that of the mode at its frequency, for which both have a separate result. Our choice: a stronger sine has
 /// flanks that look like a mode.
 const STRENGTH_MOST: f64 = 15.0;
+
+/// Kurtosis below which an amplitude is closer to that of a sine (1.5) than to that of random motion. Our choice: the tone of Palisaden at 20.5 Hz has 1.57.
+const STEADY_MOST: f64 = 2.0;
 
 /// Peaks that are not modes.
 #[derive(Clone, Debug, Default)]
@@ -127,30 +130,66 @@ struct RemovedPeak {
     damping_ratio_least: f64,
 }
 
-/// Names the sines at modes and at unexplained peaks of the spectrum where a mode remains without the sine.
-pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Modes), notes: &mut Vec<Note>) {
+/// Names the sines at modes and at unexplained peaks of the spectrum where a mode remains without the sine. A mode of which nothing remains, and whose
+/// amplitude is as steady as that of a sine, is a machine and left out.
+pub(crate) fn note_tones_on_modes(
+    record: &Record,
+    (modes, peaks): (&mut Modes, &Modes),
+    notes: &mut Vec<Note>,
+) {
     if modes.channels.len() != record.channels().len() || modes.method == Method::Era {
         return;
     }
     let mut lines = FineLines::new(record);
     let far_hz = 0.5 / record.duration_s();
     let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &modes.modes));
-    let each = modes.modes.iter().chain(unexplained).filter_map(|mode| {
-        let line = lines.test_on_mode(mode).filter(LineTest::is_sine)?;
+    let (mut tones, mut machines): (Vec<ToneOnMode>, Vec<Tone>) = (Vec::new(), Vec::new());
+    for mode in modes.modes.iter().chain(unexplained) {
+        let Some(line) = lines.test_on_mode(mode).filter(LineTest::is_sine) else {
+            continue;
+        };
         let within_hz = far_hz + 1.5 * mode.damping_ratio.unwrap_or(line.damping_ratio) * mode.frequency_hz;
         let is_here = (line.frequency_hz - mode.frequency_hz).abs() <= within_hz;
-        let is_on = is_here && line.mode_remains && line.strength <= STRENGTH_MOST;
-        is_on.then_some(ToneOnMode {
-            frequency_hz: line.frequency_hz,
-            mode_hz: mode.frequency_hz,
-            strength: line.strength,
-        })
-    });
-    let mut tones: Vec<ToneOnMode> = each.collect();
+        if is_here && line.mode_remains && line.strength <= STRENGTH_MOST {
+            tones.push(ToneOnMode {
+                frequency_hz: line.frequency_hz,
+                mode_hz: mode.frequency_hz,
+                strength: line.strength,
+            });
+        } else if is_here && mode.is_found() && mode.kurtosis.is_some_and(|of| of.kurtosis < STEADY_MOST) {
+            machines.push(Tone {
+                frequency_hz: mode.frequency_hz,
+                width_hz: 2.0 * mode.damping_ratio.unwrap_or(0.0) * mode.frequency_hz,
+                kurtosis: mode.kurtosis,
+            });
+        }
+    }
+    if !machines.is_empty() {
+        let is_one = |mode: &Mode| machines.iter().any(|of| of.frequency_hz == mode.frequency_hz);
+        modes.modes.retain(|mode| !is_one(mode));
+        notes.push(Note::Tones { tones: machines });
+    }
     if !tones.is_empty() {
         tones.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+        for mode in &mut modes.modes {
+            let own = tones.iter().find(|tone| tone.mode_hz == mode.frequency_hz);
+            if own.is_some_and(|tone| takes_width(mode, tone)) {
+                (mode.damping_ratio, mode.damping_ratio_sd) = (None, None);
+            }
+        }
         notes.push(Note::TonesOnModes { tones });
     }
+}
+
+/// Whether a sine makes the damping ratio of its mode too low by more than the 95 % interval: the ratio is about that of a motion of which the share
+/// 1/(1 + strength) decays.
+fn takes_width(mode: &Mode, tone: &ToneOnMode) -> bool {
+    const INTERVAL: f64 = 1.96;
+    let relative = mode
+        .damping_ratio_sd
+        .zip(mode.damping_ratio)
+        .map(|(sd, zeta)| sd / zeta);
+    relative.is_none_or(|sd| tone.strength / (1.0 + tone.strength) > INTERVAL * sd)
 }
 
 /// Lines on each side of a tone in which leakage causes small peaks.
@@ -230,6 +269,27 @@ pub(crate) fn test_for_machines(
     Ok(())
 }
 
+/// Leaves out modes that are steadier than random motion by one standard deviation of the kurtosis. For modes that poles alone do not decide: the
+/// motion must look random, not only possibly random. Our choice.
+pub(crate) fn leave_out_steadier(
+    (record, options): (&Record, &Identify),
+    modes: &mut Vec<Mode>,
+) -> Result<(), ModalError> {
+    let mut left = Vec::with_capacity(modes.len());
+    for mode in modes.drain(..) {
+        let least = options
+            .criteria
+            .damping_least_at(mode.frequency_hz, record.duration_s());
+        let damped = [least, mode.damping_ratio.unwrap_or(least)];
+        let found = kurtosis(record, &mode, follows_itself(damped))?;
+        if found.is_none_or(|of| of.kurtosis >= GAUSSIAN - of.deviation) {
+            left.push(mode);
+        }
+    }
+    *modes = left;
+    Ok(())
+}
+
 /// Names modes that vary like machines. Modes with as little damping as machines and the lightest structures are left out, unless the user
 /// allows them.
 fn note_wandering(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
@@ -260,16 +320,15 @@ pub(crate) fn of_steady(mode: &Mode) -> Refusal {
 }
 
 /// Leaves out modes with as little damping as machines and the lightest structures, if their amplitude is as steady as that of a machine, even
-/// with few independent amplitudes. The user can allow such modes. Our choice: the tone of Palisaden at 20.5 Hz has a kurtosis of 1.57.
+/// with few independent amplitudes. The user can allow such modes.
 fn leave_out_steady_light(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
-    const KURTOSIS_LEAST: f64 = 2.0;
     if options.criteria.damping_ratio_least.is_some() {
         return;
     }
     let mut peaks: Vec<Tone> = Vec::new();
     modes.modes.retain(|mode| {
         let light = mode.damping_ratio.filter(|zeta| *zeta < USUAL_LEAST);
-        let steady = mode.kurtosis.filter(|of| of.kurtosis < KURTOSIS_LEAST);
+        let steady = mode.kurtosis.filter(|of| of.kurtosis < STEADY_MOST);
         let (Some(zeta), Some(_)) = (light, steady) else {
             return true;
         };

@@ -61,7 +61,7 @@ pub enum Fate {
 pub struct Cluster {
     /// The pole nearest to all others, among the poles whose standard deviation is near the smallest.
     pub medoid: Pole,
-    /// Standard deviations of the medoid; `None` if too few orders have it.
+    /// Standard deviations of the medoid; `None` if one or two orders alone have it.
     pub deviation: Option<PoleDeviation>,
     /// Orders with a pole in the cluster, ascending.
     pub orders: Vec<usize>,
@@ -123,6 +123,9 @@ pub(crate) fn group_poles(
     Ok(found)
 }
 
+/// Fewest orders with a pole of which the deviations are computed: two agree by chance.
+const RECURS: usize = 3;
+
 /// The verdict and medoid of each cluster, from the orders that can hold all modes, if there are enough of them.
 fn judged(
     groups: &[Vec<usize>],
@@ -152,7 +155,7 @@ fn judged(
         let Some(medoid) = medoid(&best) else { continue };
         let enough = members.len() >= needed.max(options.orders_least);
         let most_hz = options.deviation_over_floor_most * medoid.floor_hz(all.duration_s);
-        let deviation = if enough {
+        let deviation = if members.len() >= RECURS {
             Some(deviations.deviation(medoid)?)
         } else {
             None
@@ -164,9 +167,9 @@ fn judged(
             frequency_spread_hz,
             damping_ratio_spread,
             fate: match &deviation {
-                None => Fate::FewOrders,
+                _ if !enough => Fate::FewOrders,
                 Some(d) if d.frequency_sd_hz > most_hz => Fate::Scattered,
-                Some(_) => Fate::Mode,
+                _ => Fate::Mode,
             },
             deviation,
         });

@@ -5,7 +5,7 @@
 //! | p | | modal force: white and coloured noise times `envelope`, footsteps, tones |
 //! | e(t) | `envelope` | strength of the forces: drift, slow variation, vehicles |
 
-use super::energy::signal_over_rest;
+use super::energy::{Densities, signal_over_rest};
 use super::plan::UnkindPlan;
 use super::structures::{between, chance, log_between};
 use crate::modal::synthetic::Oscillator;
@@ -23,6 +23,9 @@ pub struct UnkindMode {
     pub signal_over_rest: f64,
     /// Least relative standard deviation of its damping ratio for this duration, 1/√(2πζN_c) (Au 2014).
     pub damping_floor: f64,
+    /// Least relative standard deviation of its damping ratio for any unbiased estimator of this record, with its neighbours and the noise
+    /// (bound of Cramér and Rao).
+    pub damping_bound: f64,
 }
 
 /// A simulated record with disturbances, and its exact modes.
@@ -37,10 +40,10 @@ pub struct UnkindRecord {
 }
 
 impl UnkindMode {
-    /// Whether the record has enough energy in this mode: 10 dB above all other motion, and a damping ratio that can be accurate
-    /// to 30 %. Our choice.
+    /// Whether the record has enough energy in this mode: 10 dB above all other motion, and a damping ratio that an unbiased estimator can
+    /// know to 30 %. Our choice.
     pub fn has_enough_energy(&self) -> bool {
-        self.signal_over_rest >= 10.0 && self.damping_floor <= 0.3
+        self.signal_over_rest >= 10.0 && self.damping_bound <= 0.3
     }
 }
 
@@ -92,6 +95,23 @@ impl UnkindPlan {
             }
         };
         let noises: Vec<_> = (0..l).map(noise).collect();
+        let of_mode = |k: usize, hz: f64, by: [f64; 2]| {
+            let mode = &self.modes[k];
+            let moved = MadeMode {
+                frequency_hz: mode.frequency_hz * by[0],
+                damping_ratio: mode.damping_ratio * by[1],
+                shape: Vec::new(),
+            };
+            densities[k].of(Oscillator::new(&moved, rate_hz, self.quantity), hz)
+        };
+        let seen = Densities {
+            modes: &self.modes,
+            of_mode: &of_mode,
+            of_noise: &|c, hz| noises[c](hz),
+            channels: l,
+            nyquist_hz: 0.5 * rate_hz,
+            duration_s: self.duration_s,
+        };
         let modes = self
             .modes
             .iter()
@@ -104,6 +124,7 @@ impl UnkindPlan {
                     mode: mode.clone(),
                     signal_over_rest: signal_over_rest(&self.modes, j, &density_at, &noise)?,
                     damping_floor: 1.0 / (2.0 * PI * mode.damping_ratio * cycles).sqrt(),
+                    damping_bound: seen.least_damping_deviation(j)?,
                 })
             })
             .collect::<Result<_, ModalError>>()?;
@@ -318,10 +339,15 @@ struct Density {
 
 impl Density {
     fn at(&self, frequency_hz: f64) -> f64 {
+        self.of(self.own, frequency_hz)
+    }
+
+    /// The same for another mode under this force.
+    fn of(&self, own: Oscillator, frequency_hz: f64) -> f64 {
         let [rho, coloured] = self.colour;
         let slow = lag_one(rho, frequency_hz / self.rate_hz);
         let force = (1.0 - coloured).powi(2) + coloured * coloured * slow;
-        2.0 / self.rate_hz * self.force * force * self.own.gain(frequency_hz).powi(2)
+        2.0 / self.rate_hz * self.force * force * own.gain(frequency_hz).powi(2)
     }
 }
 
