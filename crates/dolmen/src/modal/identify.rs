@@ -20,7 +20,7 @@ use super::quality::{Quantities, doubt_channels, to_one_quantity};
 use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones};
 use super::quality::{leave_out_steadier, test_for_machines};
 use super::quality::{unequal, widen};
-use super::settings::choose;
+use super::settings::{Settings, choose};
 use super::shared_steps::{
     check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter, undecided_of,
 };
@@ -30,7 +30,7 @@ use super::spectrum::FractionScatter;
 use super::spectrum::Plscf;
 use super::spectrum::plscf;
 use super::spectrum::{REFERENCES_LEAST, keeping_most, least_of_wide};
-use super::subspace::{AllOrders, Cluster, Deviations};
+use super::subspace::{AllOrders, Cluster, Criteria, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Mode, Modes, Note, Propagation, Refusal};
 use crate::signal::{Record, leave_out};
@@ -343,20 +343,8 @@ fn of_poles(
         judge(&AllOrders::of(&found), &mut Propagation::new(&found))?
     };
     note_blends(&clusters, notes);
-    let mut modes = modes_of(&clusters, record.duration_s());
-    if matches!(options.method, Method::SsiCov | Method::SsiData) {
-        let how = Question {
-            range_hz: settings.range_hz,
-            criteria: &criteria,
-            deviation_over_floor_most: options.clustering.deviation_over_floor_most,
-            tones_hz,
-            time_blocks: settings.time_blocks,
-        };
-        add_undecided((record, options), &clusters, &how, (&mut modes, notes))?;
-    }
-    if options.method == Method::Bayoma {
-        modes = refined(record, modes, (&peaks, tones_hz), (&settings, &criteria), notes);
-    }
+    let of_settings = (&settings, &criteria, tones_hz);
+    let mut modes = by_lines((record, options), (&clusters, &peaks), of_settings, notes)?;
     let unequal = unequal(record, settings.time_blocks);
     widen(&mut modes, unequal.widening);
     widen(refused.iter_mut().map(|of| &mut of.mode), unequal.widening);
@@ -383,15 +371,30 @@ fn of_poles(
     })
 }
 
-/// Adds the modes of undecided clusters that the lines of the record show, and names them in a note.
-fn add_undecided(
+/// The modes of the clusters, with what the lines of the record say of them: which undecided clusters are modes, and with `bayoma` all values.
+fn by_lines(
     (record, options): (&Record, &Identify),
-    clusters: &[Cluster],
-    how: &Question<'_>,
-    (modes, notes): (&mut Vec<Mode>, &mut Vec<Note>),
-) -> Result<(), ModalError> {
+    (clusters, peaks): (&[Cluster], &FddResult),
+    (settings, criteria, tones_hz): (&Settings, &Criteria, &[f64]),
+    notes: &mut Vec<Note>,
+) -> Result<Vec<Mode>, ModalError> {
+    let mut modes = modes_of(clusters, record.duration_s());
+    if options.method == Method::Bayoma {
+        let all = refined(record, modes, (peaks, tones_hz), (settings, criteria), notes);
+        return Ok(all);
+    }
+    if !matches!(options.method, Method::SsiCov | Method::SsiData) {
+        return Ok(modes);
+    }
+    let how = Question {
+        range_hz: settings.range_hz,
+        criteria,
+        deviation_over_floor_most: options.clustering.deviation_over_floor_most,
+        tones_hz,
+        time_blocks: settings.time_blocks,
+    };
     let undecided = undecided_of(clusters, record.duration_s());
-    let mut shown = shown_by_lines(record, modes, undecided, how);
+    let mut shown = shown_by_lines(record, &modes, undecided, &how);
     leave_out_steadier((record, options), &mut shown)?;
     shown.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     if !shown.is_empty() {
@@ -401,5 +404,5 @@ fn add_undecided(
     }
     modes.append(&mut shown);
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    Ok(())
+    Ok(modes)
 }
