@@ -151,7 +151,7 @@ pub(crate) fn note_text(project: &Project, note: &Warning, style: TextStyle) -> 
 mod tests {
     use super::*;
 
-    /// Five lines are left: an answer goes before warnings, and what qualifies it goes nowhere without it.
+    /// Three lines are left: an answer goes before warnings, and what qualifies it goes nowhere without it.
     #[test]
     fn holds_answers_come_first_and_what_qualifies_them_only_beside_them() {
         let style = TextStyle::plain();

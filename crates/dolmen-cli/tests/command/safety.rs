@@ -416,7 +416,7 @@ fn holds_a_study_whose_least_size_fells_says_so() {
     );
 }
 
-/// No level between .2 and .4 g, or .4 and .8 g, was tried: a step of the scan is said with both its ends.
+/// No level between .2 and .4 g, or .4 and .8 g, was tried: the answer gives both ends of the step.
 #[test]
 fn exact_a_state_that_begins_between_two_levels_is_said_with_both() {
     let scratch = Scratch::with_examples("levels-apart");
