@@ -16,26 +16,30 @@ const FAMILIES: [&[(&str, f64)]; 3] = [
     &[("mm", 1.0), ("cm", 10.0), ("m", 1e3)],
     &[("kg", 1.0), ("t", 1e3)],
 ];
-/// Largest ratio to the usual value after a change of unit for which the help names that unit.
+/// Largest ratio to the usual value after a change of unit for which the help names that unit; two may be as near: 300 cm and 300 mm of a usual 1 m.
 const NEAR: f64 = 6.0;
 
-/// The unit that would correct a value `ratio` times the usual one.
+/// The units that would correct a value `ratio` times the usual one, the nearest first.
 pub(super) fn guess(ratio: f64, unit: &str) -> Slip {
     let family = FAMILIES
         .iter()
         .find(|family| family.iter().any(|(name, _)| *name == unit));
     let own = family.and_then(|family| family.iter().find(|(name, _)| *name == unit));
-    if let (Some(family), Some((_, own))) = (family, own) {
-        let off = |factor: f64| (ratio * factor / own).ln().abs();
-        let others = family.iter().filter(|(name, _)| *name != unit);
-        let best = others.min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
-        if let Some((name, factor)) = best
-            && off(*factor) <= NEAR.ln()
-        {
-            return Slip::DidYouMean(name.to_string());
-        }
+    let (Some(family), Some((_, own))) = (family, own) else {
+        return Slip::ItIsAboutWhat(rounded(ratio));
+    };
+    let off = |factor: f64| (ratio * factor / own).ln().abs();
+    let near = |(name, factor): &&(&str, f64)| *name != unit && off(*factor) <= NEAR.ln();
+    let mut near: Vec<&(&str, f64)> = family.iter().filter(near).collect();
+    near.sort_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+    match near[..] {
+        [] => Slip::ItIsAboutWhat(rounded(ratio)),
+        [(name, _)] => Slip::DidYouMean(name.to_string()),
+        [(name, _), (other, _), ..] => Slip::DidYouMeanEither {
+            name: name.to_string(),
+            other: other.to_string(),
+        },
     }
-    Slip::ItIsAboutWhat(rounded(ratio))
 }
 
 /// A ratio for a message: three significant digits, below 1 as a fraction.

@@ -7,7 +7,7 @@ use crate::document::{
 use crate::headline::headline;
 use crate::json::judgement;
 use crate::simulated::{milli, millimetres, milliradians, seconds};
-use dolmen_words::message::{Both, Run};
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::judge_simulation;
 use dolmen_work::simulation::{AfterFirst, SPEED_AT_REST_M_S, Second, SimulateAnswer, Simulation};
@@ -169,7 +169,9 @@ fn table(answer: &SimulateAnswer, after: &AfterFirst) -> Table {
         for simulation in simulations {
             let state = StateLeft::of(simulation);
             let direction = direction(simulation).map(|name| format!("{motion}, {name}"));
-            let mut row = vec![Cell::words(named(&direction.unwrap_or_else(|| motion.clone())))];
+            let mut row = vec![Cell::words(Sentence::of_argument(
+                &direction.unwrap_or_else(|| motion.clone()),
+            ))];
             row.push(Cell::words(state.words()));
             row.extend(state.cells());
             rows.push(row);
@@ -180,11 +182,6 @@ fn table(answer: &SimulateAnswer, after: &AfterFirst) -> Table {
         columns,
         rows,
     }
-}
-
-fn named(name: &str) -> Sentence {
-    let runs = vec![Run::Name(name.to_owned())];
-    Sentence::of_runs("simulated.after.name", runs.clone(), runs)
 }
 
 fn direction(simulation: &Simulation) -> Option<String> {

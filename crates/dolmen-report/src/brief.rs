@@ -22,6 +22,10 @@ messages! {
             en: "further findings: {count}, to look into: {to_act_on}",
             ko: "그 밖의 결과: {count}개(확인할 것 {to_act_on}개)",
         },
+        Reserved { count: usize } => {
+            en: "limits of this answer that do not fit here: {count} (--full)",
+            ko: "여기에 다 적지 못한 위 답의 조건: {count}개(--full)",
+        },
         MoreNotes { count: usize } => { en: "notes on the file: {count}", ko: "입력 파일 경고: {count}개" },
         Full => { en: "all of it with --full", ko: "전체 내용은 --full" },
     }
@@ -48,41 +52,70 @@ fn text_within(all: &[Finding], project: &Project, left: usize, style: TextStyle
     let shown = shown_within(&key, left, style);
     let is_hidden = |(i, finding): (usize, &&Finding)| !shown[i] && rank(finding.tone) < rank(Tone::Good);
     let to_act_on = key.iter().enumerate().filter(|of| is_hidden(*of)).count();
-    let shown: Vec<&Finding> = key
-        .into_iter()
-        .zip(shown)
-        .filter(|of| of.1)
-        .map(|of| of.0)
-        .collect();
-    let count = shown.len();
+    let count = shown.iter().filter(|shown| **shown).count();
     let more = match (all.len() - count, to_act_on) {
         (0, _) => None,
         (count, 0) => Some(Brief::MoreFindings { count }),
         (count, to_act_on) => Some(Brief::MoreToActOn { count, to_act_on }),
     };
-    findings_text(shown, style) + &more_text(project, more, style)
+    shown_text(&key, &shown, style) + &more_text(project, more, style)
+}
+
+/// The findings that fit; below an answer of which not all limits fit, a line that says so.
+fn shown_text(key: &[&Finding], shown: &[bool], style: TextStyle) -> String {
+    let mut text = String::new();
+    for group in groups(key) {
+        let (fit, rest): (Group, Group) = group.into_iter().partition(|&i| shown[i]);
+        text += &findings_text(fit.iter().map(|&i| key[i]), style);
+        if !fit.is_empty() && !rest.is_empty() {
+            text += &findings_text([&reserved(rest.len())], style);
+        }
+    }
+    text
+}
+
+/// An answer and what qualifies it, or one finding of another kind: numbers of findings.
+type Group = Vec<usize>;
+
+fn groups(key: &[&Finding]) -> Vec<Group> {
+    let mut all: Vec<Group> = Vec::new();
+    for (i, finding) in key.iter().enumerate() {
+        // other findings may stand between the two
+        let answer = |group: &&mut Group| key[group[0]].role == Role::Answer;
+        match all.iter_mut().rfind(answer) {
+            Some(group) if finding.role == Role::Qualifies => group.push(i),
+            _ => all.push(vec![i]),
+        }
+    }
+    all
+}
+
+/// The line below an answer of which not all limits fit.
+fn reserved(count: usize) -> Finding {
+    Finding::key(Tone::Warn, Brief::Reserved { count })
 }
 
 /// Which findings fit: the first one, answers with what qualifies them and bad ones, then the others by their tone.
+///
+/// An answer takes a line more where not all of its limits fit.
 fn shown_within(key: &[&Finding], mut left: usize, style: TextStyle) -> Vec<bool> {
-    let qualified = |i: usize| match key[i].role {
-        Role::Qualifies => (0..i).rfind(|&before| key[before].role == Role::Answer),
-        Role::Answer | Role::Alone => None,
-    };
-    let mut by_weight: Vec<usize> = (0..key.len()).collect();
-    by_weight.sort_by_key(|&i| match (i, qualified(i)) {
-        (0, _) => 0,
-        (_, Some(_)) => 1,
-        _ if key[i].role == Role::Answer || key[i].tone == Tone::Bad || is_asked_for(key[i]) => 1,
-        _ => 2 + rank(key[i].tone),
+    let mut by_weight = groups(key);
+    by_weight.sort_by_key(|group| match group[0] {
+        0 => 0,
+        i if key[i].role == Role::Answer || key[i].tone == Tone::Bad || is_asked_for(key[i]) => 1,
+        i => 2 + rank(key[i].tone),
     });
+    let lines = |finding: &Finding| findings_text([finding], style).lines().count();
     let mut shown = vec![false; key.len()];
-    for i in by_weight {
-        let lines = findings_text([key[i]], style).lines().count();
-        // a shorter finding may fit where a longer one does not
-        if lines <= left && qualified(i).is_none_or(|answer| shown[answer]) {
-            left -= lines;
-            shown[i] = true;
+    for group in by_weight {
+        // a shorter group may fit where a longer one does not
+        let each: Vec<usize> = group.iter().map(|&i| lines(key[i])).collect();
+        let last = lines(&reserved(each.len()));
+        let needed =
+            |count: usize| each[..count].iter().sum::<usize>() + if count < each.len() { last } else { 0 };
+        if let Some(count) = (1..=each.len()).rev().find(|&count| needed(count) <= left) {
+            left -= needed(count);
+            group[..count].iter().for_each(|&i| shown[i] = true);
         }
     }
     shown
@@ -151,7 +184,7 @@ pub(crate) fn note_text(project: &Project, note: &Warning, style: TextStyle) -> 
 mod tests {
     use super::*;
 
-    /// Three lines are left: an answer goes before warnings, and what qualifies it goes nowhere without it.
+    /// Three lines are left: an answer goes before warnings, and what qualifies it goes nowhere without it, nor it without that.
     #[test]
     fn holds_answers_come_first_and_what_qualifies_them_only_beside_them() {
         let style = TextStyle::plain();
@@ -159,24 +192,28 @@ mod tests {
         let long = "very ".repeat(2 * style.width / 5) + "long";
         let shown = |all: &[Finding], left: usize| {
             let key: Vec<&Finding> = all.iter().collect();
-            let shown = shown_within(&key, left, style);
-            let each = key.iter().zip(shown).filter(|of| of.1);
-            each.map(|(finding, _)| finding.sentence.text(Language::English))
+            let text = shown_text(&key, &shown_within(&key, left, style), style);
+            text.lines()
+                .map(|line| line.trim().to_owned())
                 .collect::<Vec<_>>()
         };
         let all = [
             Finding::answer(Tone::Good, said("stands")),
-            Finding::key(Tone::Warn, said(&long)),
             Finding::answer(Tone::Good, said("bears 2 times the wind")),
+            Finding::key(Tone::Warn, said(&long)),
             Finding::qualifies(Tone::Warn, said("an upper bound")),
         ];
-        assert_eq!(
-            shown(&all, 3),
-            ["stands", "bears 2 times the wind", "an upper bound"]
-        );
-        assert_eq!(shown(&all, 9).len(), 4);
+        let three: [&str; 3] = ["● stands", "● bears 2 times the wind", "◆ an upper bound"];
+        assert_eq!(shown(&all, 3), three);
+        assert_eq!(shown(&all, 9)[..3], three);
+        assert_eq!(shown(&all, 2), ["● stands"]);
+        // what limits an answer does not fit: the answer says so
+        let long_limit = Finding::qualifies(Tone::Warn, said(&long));
+        let limited = [all[0].clone(), all[1].clone(), long_limit];
+        let hidden = "◆ limits of this answer that do not fit here: 1 (--full)";
+        assert_eq!(shown(&limited, 3), [three[0], three[1], hidden]);
         let long_answer = Finding::answer(Tone::Good, said(&long));
         let without = [all[0].clone(), long_answer, all[3].clone()];
-        assert_eq!(shown(&without, 2), ["stands"]);
+        assert_eq!(shown(&without, 2), ["● stands"]);
     }
 }

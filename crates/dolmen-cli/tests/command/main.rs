@@ -85,6 +85,7 @@ mod printed_names;
 mod prints;
 mod reported_variants;
 mod safety;
+mod said_of_assemblies;
 mod said_plainly;
 mod scanned;
 mod score_forms;

@@ -365,8 +365,9 @@ fn table(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
     Some(Site::Table {
         source: given.source.as_ref().map_or_else(
             || match &given.file {
-                Some(file) => format!("table {}", file.value),
-                None => "table of the project file".to_owned(),
+                // a name that is the same in every language
+                Some(file) => file.value.clone(),
+                None => "project.toml".to_owned(),
             },
             |source| source.value.clone(),
         ),

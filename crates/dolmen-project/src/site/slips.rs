@@ -12,8 +12,8 @@ use dolmen::assess::demand::Site;
 const GROUND_G: (f64, f64) = (0.02, 1.0);
 /// Importance factor: EN 1998-1 has 0.8 to 1.4.
 const IMPORTANCE: (f64, f64) = (0.5, 2.0);
-/// Largest acceleration of a design spectrum, g: from a rare one in a quiet country to the maximum near a fault.
-const PLATEAU_G: (f64, f64) = (0.05, 5.0);
+/// Largest acceleration of a design spectrum, g: from a rare one in a quiet country to the maximum near a fault, 1.5 g of the ground times 2.5.
+const PLATEAU_G: (f64, f64) = (0.05, 4.0);
 
 /// Longest period of a design spectrum, s: codes and hazard models go to 10, seldom to 20.
 const PERIOD_MOST_S: f64 = 100.0;

@@ -16,6 +16,8 @@ const SLOPE_MOST: f64 = 0.087;
 
 /// Smallest difference of slopes that a tape or plumb line shows: 5 mm per metre. Our choice.
 const SLOPE_SEEN: f64 = 0.005;
+/// Smallest slope that a message names, far below that of any survey.
+const SLOPE_NAMED: f64 = 1e-4;
 /// Allowed difference of two slopes, also as a share of the larger. Our choice.
 const SHARE_MOST: f64 = 1.0 / 3.0;
 
@@ -110,7 +112,7 @@ pub(crate) fn lean(
     {
         let tilt = |slope: [f64; 2]| {
             let each = ["x", "y"].into_iter().zip(slope);
-            let each = each.filter(|(_, ratio)| ratio.abs() > SLOPE_SEEN);
+            let each = each.filter(|(_, ratio)| ratio.abs() > SLOPE_NAMED);
             let each: Vec<String> = each
                 .map(|(direction, ratio)| format!("{direction} {}1/{:.0}", sign(ratio), 1.0 / ratio.abs()))
                 .collect();

@@ -418,7 +418,11 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
                 path: strength.path.to_string(),
                 written: strength.written.to_string(),
             };
-            reader.slip(&strength.path, message, StackSlip::DidYouMeanPa);
+            let help = match strength.value < BOND_PA.0 {
+                true => StackSlip::DidYouMeanKpa,
+                false => StackSlip::DidYouMeanPa,
+            };
+            reader.slip(&strength.path, message, help);
         }
     }
     if let Some(strength) = &bed.strength

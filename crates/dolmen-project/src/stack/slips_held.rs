@@ -7,8 +7,8 @@ use crate::wrong::StackSlip;
 
 /// Stiffness of a dowel or clamp, N/m: from a wooden peg in loose holes to a bar of iron through a whole stone, with a margin. Our choice.
 const TIE_STIFFNESS_N_M: (f64, f64) = (1e5, 1e11);
-/// Its strength, N: from a nail to a bar of iron 0.4 m thick. Our choice.
-const TIE_STRENGTH_N: (f64, f64) = (10.0, 5e7);
+/// Its strength, N: from a thin nail to a bar of iron 0.4 m thick. Our choice.
+const TIE_STRENGTH_N: (f64, f64) = (100.0, 5e7);
 /// Stiffness of a side support, N/m: from a prop of timber to a rock face. Our choice.
 const BESIDE_STIFFNESS_N_M: (f64, f64) = (1e4, 1e11);
 /// Largest gap to it, m. Our choice.

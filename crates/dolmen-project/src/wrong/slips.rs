@@ -48,6 +48,10 @@ messages! {
             en: "{path} = {written}, but structures have 0.005 to 0.1",
             ko: "{path} = {written}인데, 구조물의 감쇠비는 0.005~0.1이다",
         },
+        DidYouMeanEither { name: String, other: String } => {
+            en: "did you mean {name} or {other}?",
+            ko: "단위가 {name} 또는 {other}인가?",
+        },
         DidYouMean(name: String) => { en: "did you mean {name}?", ko: "단위가 {name}인가?" },
         ItIsAboutWhat(ratio: String) => {
             en: "it is about {ratio} × what is usual: check its unit",

@@ -22,8 +22,8 @@ messages! {
             ko: "{path} = {written}인데 촉과 은장은 100 kN/m~100 GN/m이다",
         },
         TieStrength { path: String, written: String } => {
-            en: "{path} = {written}, but dowels and clamps bear 10 N to 50 MN",
-            ko: "{path} = {written}인데 촉과 은장의 강도는 10 N~50 MN이다",
+            en: "{path} = {written}, but dowels and clamps bear 100 N to 50 MN",
+            ko: "{path} = {written}인데 촉과 은장의 강도는 100 N~50 MN이다",
         },
         BesideStiffness { path: String, written: String } => {
             en: "{path} = {written}, but what stands beside stones has 10 kN/m to 100 GN/m",
@@ -145,6 +145,7 @@ messages! {
             en: "bare numbers are in Pa: lime mortar has 0.5 to 5 MPa, granite 100 MPa and more",
             ko: "단위가 없으면 Pa이다. 석회 모르타르는 0.5~5 MPa, 화강암은 100 MPa 이상이다",
         },
+        DidYouMeanKpa => { en: "did you mean kPa or MPa?", ko: "kPa 또는 MPa 단위인가?" },
         DidYouMeanPa => { en: "did you mean Pa or kPa?", ko: "Pa 또는 kPa 단위인가?" },
         ButItIsToOther { path: String, written: String } => {
             en: "{path} = {written}, but it is 0 to 1",

@@ -127,7 +127,7 @@ fn exact_tables_from_lists_and_from_a_file() {
         panic!()
     };
     assert_eq!(points, [[0.0, 1.0], [0.1, 2.5], [2.0, 0.2]]);
-    assert_eq!(source, "table sp.csv");
+    assert_eq!(source, "sp.csv");
     let bad = parse_project_with(&text, "project.toml", &files("t,a\n0,1\n0.1,x\n")).unwrap_err();
     let said = "site.file = \"sp.csv\": line 3 is not a period, s, and an acceleration";
     assert_eq!(bad.problems[0].message.english, said);

@@ -104,8 +104,8 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         let Some((before, own)) = versions else {
             continue;
         };
-        let verdict = |row: &Row| own_verdict(row, is_beyond(own));
-        let verdict = after.first().map(verdict);
+        // its sentences say themselves that the verdict is of the weight
+        let verdict = after.first().map(|row| own_verdict(row, false));
         all.extend(
             verdict.and_then(|verdict| variant_stacks::first_motion(&name, (state, &variant.state), verdict)),
         );

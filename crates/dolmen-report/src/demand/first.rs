@@ -31,7 +31,8 @@ pub(super) fn first(by_modes: &ModalRatio) -> Sentence {
     };
     let below = match above.as_str() {
         "the ground" => First::Ground,
-        name => First::Named(name.to_owned()),
+        // the engine quotes the blocks of a file
+        name => First::Named(name.trim_matches('\'').to_owned()),
     }
     .into();
     match kind {

@@ -117,6 +117,7 @@ pub(super) fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
         "small": state(&supports.small),
         "given": supports.given.as_ref().map(state),
         "last": state(&supports.last),
+        "jumps": supports.jumps,
         "residual": supports.residual,
         "steps": supports.steps,
     })

@@ -47,8 +47,8 @@ messages! {
             ko: "파일에 풍하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다.« [combination.이름]에 wind = 1을 쓴다.»",
         },
         BeforeMoved => {
-            en: "That is of the shape in the file, before its supports moved: of wind, and of more load than there is, nothing is known of the shape after it.",
-            ko: "이는 지점이 이동하기 전, 파일에 입력한 형상의 값이다. 이동 후의 형상이 바람이나 지금보다 큰 하중을 받을 때의 안정은 알 수 없다.",
+            en: "That is of the shape in the file, before its supports moved: of wind, and of more load than there is, nothing is known of the shape after it, so the verdict under loads is “unknown” at best.",
+            ko: "이는 지점이 이동하기 전, 파일에 입력한 형상의 값이다. 이동 후의 형상이 바람이나 지금보다 큰 하중을 받을 때의 안정은 알 수 없으므로 하중에 대한 판정은 ‘판정 불가’보다 나을 수 없다.",
         },
         LoadsInNoneOfStack => {
             en: "No combination of the file counts its static loads; whether the stack stands without wind is judged with them all the same.",

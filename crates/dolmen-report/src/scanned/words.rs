@@ -30,6 +30,10 @@ messages! {
             en: "Beds without a step of the section: {beds}. The scan does not show them; they are where you gave them.",
             ko: "단면이 바뀌지 않는 접합면: {beds}. 스캔에 나타나지 않으므로 주어진 높이에 두었다.",
         },
+        Pieces(stones: String) => {
+            en: "Separate pieces between two beds became stones of their own: {stones}. Take out of the scan what is no part of the tower.",
+            ko: "두 접합면 사이에 떨어져 있어 따로 나눈 석재: {stones}. 탑의 일부가 아닌 것은 스캔에서 제거한다.",
+        },
         Assumed => {
             en: "The beds are planes because they were cut: the outside of a scan shows neither how rough a joint is, nor how much of it bears, nor what is inside of a stone. Density and friction are assumed.",
             ko: "접합면은 잘라서 만든 평면이다. 스캔한 외면으로는 접합면의 거칠기, 실제 접촉 면적, 석재 내부를 알 수 없다. 밀도와 마찰계수는 가정값이다.",

@@ -9,10 +9,13 @@ use super::words::{at, direction, first_with_ties, joint_moves, moves_together, 
 use super::{narrow_beds, soil, supports};
 use crate::document::{Finding, Tone};
 use dolmen::assess::StackNote;
-use dolmen::stability::stack::{Governing, StackLimitStates};
+use dolmen::stability::stack::{Governing, StackLimitStates, Threshold};
 use dolmen::structure::stack::{GAP_CLOSED_M, Stack};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::state::StackAnswer;
+
+/// Relative difference within which a limit analysis and a cut have the same acceleration. Our choice, far above the accuracy of the analysis.
+const SAME: f64 = 1e-6;
 
 messages! {
     /// Findings on a stack.
@@ -70,7 +73,12 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         // stones share their load, and a cut is what moves at the capacity
         (None, None) => {
             let cuts = [&check.limits.uplift, &check.limits.sliding];
-            let moves_first = |cut: &&Governing| check.capacity == Some(cut.threshold);
+            // the limit analysis finds the same value to its own accuracy
+            let moves_first = |cut: &&Governing| {
+                let at = cut.threshold.acceleration_m_s2;
+                let off = |of: &Threshold| (of.acceleration_m_s2 - at).abs() <= SAME * at;
+                check.capacity.as_ref().is_some_and(off)
+            };
             if let Some(first) = cuts.into_iter().flatten().find(moves_first) {
                 let (moves, at) = (joint_moves(&check.limits, first), at(&first.threshold));
                 all.push(Finding::key(Tone::Plain, Found::First { moves, at }));

@@ -5,7 +5,7 @@ use super::words::DIGITS;
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone};
 use crate::figures::{moved_series, moved_supports};
 use dolmen::assess::StackCheck;
-use dolmen::stability::stack::{MovedStack, MovedSupports, MovementEnding};
+use dolmen::stability::stack::{MovedStack, MovedSupports, MovementEnding, SupportJump};
 use dolmen::structure::stack::{Body, Stack, SupportMovement};
 use dolmen_words::message::Run;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -31,6 +31,10 @@ messages! {
             en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood.",
             ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 안정을 유지하였다.",
         },
+        StandsNear { movements: Sentence, factor: Quantity, length: Quantity, needed: Quantity } => {
+            en: "Supports that move: {movements}. It stands under that; followed up to {factor} times as much ({length}), it still stood. Nothing is known beyond, and “stable” needs {needed} times.",
+            ko: "지점 변위: {movements}. 이 변위에서 서 있으며, 그 {factor}배({length})까지 추적한 결과에서도 서 있었다. 그 이후는 알 수 없으며, ‘안정’이려면 {needed}배까지 서 있어야 한다.",
+        },
         NotSeen => {
             en: "Stones that slide or meet anew as the supports move are not followed: «`dolmen simulate`|a simulation in time» follows them, and may find less. The acceleration at which it begins to move is that before the supports moved.",
             ko: "지점이 움직일 때 미끄러지거나 새로 맞닿는 부재는 추적하지 않으며, 이를 추적하는 «`dolmen simulate`|지진응답 검토»의 값은 더 작을 수 있다. 움직이기 시작하는 가속도는 지점이 움직이기 전의 값이다.",
@@ -40,8 +44,8 @@ messages! {
             ko: "지점 변위: {movements}. 이 변위에서 서 있지 못한다: 그 {factor}배({length})를 넘으면 자중과 평형을 이루는 접합력이 존재하지 않는다.",
         },
         NotFollowed { movements: Sentence, factor: Quantity, length: Quantity } => {
-            en: "Supports that move: {movements}. It was followed to {factor} of it ({length}), where it stood; the equilibrium beyond could not be solved, so it is not known at which movement it falls.",
-            ko: "지점 변위: {movements}. 그 {factor}배({length})까지 추적하였고 그때까지 서 있었으나, 그 이후의 평형을 풀지 못하여 붕괴 변위는 알 수 없다.",
+            en: "Supports that move: {movements}. It was followed to {factor} of it ({length}), where it stood; nothing is known of the movement beyond.",
+            ko: "지점 변위: {movements}. 그 {factor}배({length})까지 추적하였고 그때까지 서 있었으나, 그 이후는 알 수 없다.",
         },
         Hinges { joints: Sentence } => {
             en: "As the supports begin to move, {joints}.",
@@ -54,6 +58,10 @@ messages! {
         Slips { slip: Quantity } => {
             en: "On the way stones slide in closed joints by up to {slip}. Which joint slides first depends on friction that nobody measured, so the movement at which it falls is not reliable: measure the friction, or hold the stones.",
             ko: "그 사이에 닫힌 접합면에서 부재가 최대 {slip} 미끄러진다. 먼저 미끄러지는 접합면은 측정하지 않은 마찰에 따라 달라지므로 붕괴 변위는 신뢰할 수 없다. 마찰을 측정하거나 부재를 고정한다.",
+        },
+        Jumps { length: Quantity, moved: Quantity, degrees: Quantity } => {
+            en: "At {length} stones jump by up to {moved} and {degrees} to another rest: open joints close, and others open. The speed that they gain is left out; «`dolmen simulate`|a simulation in time» follows it.",
+            ko: "{length}에서 열린 접합면이 닫히고 다른 접합면이 벌어지면서 부재가 최대 {moved}, {degrees}만큼 갑자기 움직여 다시 멈춘다. 이때 생기는 속도는 고려하지 않으며 «`dolmen simulate`|지진응답 검토»에서 추적한다.",
         },
         Caption => { en: "What the supports bear.", ko: "지점 반력." },
         CaptionMeaning => {
@@ -103,11 +111,34 @@ pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         None => Supports::NoHinges,
     };
     all.push(Finding::new(Tone::Plain, begins));
+    all.extend(jumps(&answer.stack, supports));
     if slips(&answer.stack, supports) {
         let slip = millimetres(supports.last.slip_m);
         all.push(Finding::qualifies(Tone::Warn, Supports::Slips { slip }));
     }
     all
+}
+
+/// The largest jump.
+fn jumps(stack: &Stack, supports: &MovedSupports) -> Option<Finding> {
+    let by_turn = |a: &&SupportJump, b: &&SupportJump| a.turned_rad.total_cmp(&b.turned_rad);
+    let largest = supports.jumps.iter().max_by(by_turn)?;
+    let said = Supports::Jumps {
+        length: millimetres(largest.factor * largest_m(stack)),
+        moved: millimetres(largest.moved_m),
+        degrees: Quantity::new(
+            largest.turned_rad.to_degrees(),
+            Unit::si("°"),
+            Digits::Significant(DIGITS),
+        ),
+    };
+    Some(Finding::qualifies(Tone::Warn, said))
+}
+
+/// The largest of the given movements, m.
+fn largest_m(stack: &Stack) -> f64 {
+    let each = stack.support_movements().iter().map(SupportMovement::length_m);
+    each.fold(0.0, f64::max)
 }
 
 /// Whether slips before the fall are large enough to affect it.
@@ -119,16 +150,19 @@ fn tone(supports: &MovedSupports) -> Tone {
     match (supports.ending, &supports.given) {
         (MovementEnding::Falls { .. }, None) => Tone::Bad,
         (MovementEnding::NotFollowed, _) | (_, None) => Tone::Unknown,
-        (MovementEnding::Falls { .. }, _) if supports.last.factor < MovedSupports::MARGINAL_BELOW => {
-            Tone::Warn
-        }
+        (MovementEnding::Falls { .. }, _) if is_near(supports) => Tone::Warn,
+        (MovementEnding::Stands, _) if is_near(supports) => Tone::Unknown,
         _ => Tone::Good,
     }
 }
 
+/// Whether the largest movement in which it stood is less than a stable stack needs.
+fn is_near(supports: &MovedSupports) -> bool {
+    supports.last.factor < MovedSupports::MARGINAL_BELOW
+}
+
 fn said(stack: &Stack, supports: &MovedSupports) -> Supports {
-    let largest = stack.support_movements().iter().map(SupportMovement::length_m);
-    let length = millimetres(supports.last.factor * largest.fold(0.0, f64::max));
+    let length = millimetres(supports.last.factor * largest_m(stack));
     let (movements, factor) = (movements(stack), times(supports.last.factor));
     match (supports.ending, &supports.given) {
         (MovementEnding::Falls { .. }, Some(_)) => Supports::StandsUpTo {
@@ -140,6 +174,12 @@ fn said(stack: &Stack, supports: &MovedSupports) -> Supports {
             movements,
             factor,
             length,
+        },
+        (MovementEnding::Stands, _) if is_near(supports) => Supports::StandsNear {
+            movements,
+            factor,
+            length,
+            needed: times(MovedSupports::MARGINAL_BELOW),
         },
         (MovementEnding::Stands, _) => Supports::StandsBeyond {
             movements,

@@ -27,6 +27,8 @@ messages! {
         Input => { en: "input", ko: "입력변수" },
         Case => { en: "case", ko: "경우" },
         OfCase { what: Sentence, case: Sentence } => { en: "{what} ({case})", ko: "{what}({case})" },
+        On { upper: String, lower: String } => { en: "{upper} on {lower}", ko: "{upper} / {lower}" },
+        OnGround(upper: String) => { en: "{upper} on ground", ko: "{upper} / 지반" },
         State => { en: "state", ko: "손상상태" },
         Interval { lower: Quantity, upper: Quantity } => { en: "{lower} – {upper}", ko: "{lower} – {upper}" },
         OpenInterval { lower: Quantity, upper: Quantity } => { en: "{lower} – > {upper}", ko: "{lower} – > {upper}" },
@@ -39,26 +41,22 @@ pub(super) fn both(of: impl Fn(Language) -> String) -> Sentence {
     Sentence::of_runs("study.given", runs(Language::English), runs(Language::Korean))
 }
 
-/// A name from the user, the same in both languages.
+/// A name of the file, as it is printed in each language.
 pub(super) fn name(name: &str) -> Sentence {
-    let runs = vec![Run::Name(name.to_owned())];
-    Sentence::of_runs("study.name", runs.clone(), runs)
+    Sentence::of_argument(name)
 }
 
 /// The joint "upper on lower", "상부 / 하부".
 pub(super) fn joint(name: &str) -> Sentence {
-    let korean = name.rsplit_once(" on ").map_or_else(
-        || name.to_owned(),
-        |(upper, lower)| match lower {
-            "ground" => format!("{upper} / 지반"),
-            lower => format!("{upper} / {lower}"),
+    let said = match name.rsplit_once(" on ") {
+        None => return self::name(name),
+        Some((upper, "ground")) => Words::OnGround(upper.to_owned()),
+        Some((upper, lower)) => Words::On {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
         },
-    );
-    Sentence::of_runs(
-        "study.joint",
-        vec![Run::Name(name.to_owned())],
-        vec![Run::Name(korean)],
-    )
+    };
+    said.into()
 }
 
 pub(super) fn scans(count: usize) -> Sentence {

@@ -20,7 +20,7 @@ pub(super) fn no_fragility(bound: &FragilityBound) -> String {
             "지반운동 {motions}개가 모두 손상상태에 이르러 곡선을 구할 수 없다. 세기 {intensity:.4}에서의 확률은 95 % 신뢰도로 {probability_least:.3} 이상이다. 더 약한 지반운동으로 해석한다"
         ),
         FragilityBound::Separated { survived, reached } if survived == reached => format!(
-            "세기 {reached:.4}에서 손상상태에 이르고 그 아래에서는 이르지 않는다. 흩어짐이 간격보다 작아 곡선을 구할 수 없다. 지반운동을 늘리거나 간격을 줄인다"
+            "모든 지반운동이 같은 세기 {reached:.4}에서 손상상태에 이른다. 흩어짐이 간격보다 작아 곡선을 구할 수 없다. 지반운동을 늘리거나 간격을 줄인다"
         ),
         FragilityBound::Separated { survived, reached } => format!(
             "세기 {survived:.4}까지는 하나도, {reached:.4}부터는 모두 손상상태에 이른다. 흩어짐이 간격보다 작아 곡선을 구할 수 없다. 그 사이의 간격을 줄인다"

@@ -273,7 +273,7 @@ fn no_fragility(bound: &FragilityBound) -> String {
              {intensity:.4} is at least {probability_least:.3}; try weaker shaking"
         ),
         FragilityBound::Separated { survived, reached } if survived == reached => format!(
-            "the state is reached at an intensity of {reached:.4} and not below: its scatter is smaller than the steps tell, and no curve can be \
+            "every motion reaches the state at an intensity of {reached:.4}: its scatter is smaller than the steps tell, and no curve can be \
              fitted; try more motions, or finer steps"
         ),
         FragilityBound::Middle { above, at_most } => {

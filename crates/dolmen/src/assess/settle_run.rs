@@ -2,17 +2,19 @@
 
 use super::stack::{StackCheck, by_margins, with_movement};
 use super::stack_notes::{SettleRun, StackNote};
-use crate::blocks::{BlocksError, Outcome, Springs, StackHistory, simulate_springs};
+use crate::blocks::{BlocksError, Outcome, Pose, Springs, StackHistory, simulate_springs};
 use crate::stability::Verdict;
 use crate::structure::stack::Stack;
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 /// Length of the run after settlement on the joint springs, s. Our choice: a slipping stone falls a metre in half of it.
 const LENGTH_S: f64 = 1.0;
-/// Length of the run if nothing moves by more than [`STAYS_M`] in it, s, and that distance, m. Our choice: a stone that a constant force accelerates
-/// by less would have gone 0.1 µm at the end of the whole run, and one that topples at ten times a second 8 µm: the whole run ends alike.
+/// Length of the run if nothing moves by more than [`STAYS_M`] nor turns by more than [`STAYS_RAD`] in it, s, and these limits, m and rad. Our
+/// choice: a stone that a constant force accelerates by less would have gone 0.1 µm at the end of the whole run, and one that topples at ten
+/// times a second 8 µm: the whole run ends alike.
 const SHORT_S: f64 = 0.1;
 const STAYS_M: f64 = 1e-9;
+const STAYS_RAD: f64 = 1e-9;
 
 /// The check with a run of the stack under its own weight on joint springs, if friction carries stones that share their load; otherwise the check
 /// unchanged.
@@ -79,13 +81,19 @@ fn run(stack: &Stack, duration_s: f64) -> Result<StackHistory, BlocksError> {
     simulate_springs(stack, None, &options, &mut |_| true)
 }
 
-/// Whether no stone moved from its place at the start, in any sample.
+/// Whether no stone moved or turned from its place at the start, in any sample.
 fn stays(history: &StackHistory) -> bool {
+    let is_near = |start: Pose, now: Pose| {
+        let way = DVec3::from(start.centroid_m).distance(now.centroid_m.into());
+        let [from, to] = [start, now].map(|pose| DVec4::from(pose.rotation));
+        // two opposite quaternions are one rotation
+        let turn = 2.0 * from.distance(to).min(from.distance(-to));
+        way <= STAYS_M && turn <= STAYS_RAD
+    };
     history.outcome == Outcome::Stood
         && (0..history.blocks).all(|block| {
-            let start = DVec3::from(history.pose(0, block).centroid_m);
-            let mut samples = 1..history.time_s.len();
-            samples.all(|sample| start.distance(history.pose(sample, block).centroid_m.into()) <= STAYS_M)
+            let start = history.pose(0, block);
+            (1..history.time_s.len()).all(|sample| is_near(start, history.pose(sample, block)))
         })
 }
 
@@ -133,22 +141,23 @@ mod tests {
         assert_eq!(length_s, SHORT_S);
         let whole = run(&stack, LENGTH_S).unwrap();
         assert!(stays(&whole) && whole.settlement_m == settlement_m);
-        // its keystone goes up at 1 µm/s
-        let push = Start {
-            block: 7,
-            pivot_m: [0.0; 3],
-            turn_rad: [0.0; 3],
-            shift_m: [0.0; 3],
-            velocity_m_s: [0.0, 0.0, 1e-6],
-            spin_rad_s: [0.0; 3],
-        };
-        let options = Springs {
-            duration_s: Some(SHORT_S),
-            starts: vec![push],
-            ..Springs::default()
-        };
-        assert!(!stays(
-            &simulate_springs(&stack, None, &options, &mut |_| true).unwrap()
-        ));
+        // its keystone goes up at 1 µm/s, or turns about the arch's plane at 1 µrad/s
+        for (velocity_m_s, spin_rad_s) in [([0.0, 0.0, 1e-6], [0.0; 3]), ([0.0; 3], [0.0, 1e-6, 0.0])] {
+            let push = Start {
+                block: 7,
+                pivot_m: [0.0; 3],
+                turn_rad: [0.0; 3],
+                shift_m: [0.0; 3],
+                velocity_m_s,
+                spin_rad_s,
+            };
+            let options = Springs {
+                duration_s: Some(SHORT_S),
+                starts: vec![push],
+                ..Springs::default()
+            };
+            let pushed = simulate_springs(&stack, None, &options, &mut |_| true).unwrap();
+            assert!(!stays(&pushed), "{velocity_m_s:?} {spin_rad_s:?}");
+        }
     }
 }

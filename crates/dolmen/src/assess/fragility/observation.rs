@@ -203,10 +203,49 @@ fn separated(observations: &[Observation]) -> Option<FragilityBound> {
     }
     // capacities at two or more intensities have a scatter; a single intensity has none
     let apart = survived <= reached * (1.0 + SAME) && least * (1.0 + SAME) >= most;
-    apart.then(|| FragilityBound::Separated {
-        survived: survived.min(reached),
-        reached,
+    let touch = survived * (1.0 + SAME) >= reached && most == 0.0;
+    apart.then(|| match touch {
+        true => middle_beside(observations, reached),
+        false => FragilityBound::Separated {
+            survived: survived.min(reached),
+            reached,
+        },
     })
+}
+
+/// Interval of the median capacity if some motions reach the state at one intensity and others do not, none below it and all above it.
+fn middle_beside(observations: &[Observation], intensity: f64) -> FragilityBound {
+    let (mut before, mut after) = (0.0_f64, f64::INFINITY);
+    let (mut reached_there, mut not_there) = (0, 0);
+    for observation in observations {
+        let Observation::Stripe {
+            intensity: at,
+            motions,
+            reached,
+        } = *observation
+        else {
+            return middle_capacity(observations);
+        };
+        if (at / intensity - 1.0).abs() <= SAME {
+            (reached_there, not_there) = (reached_there + reached, not_there + motions - reached);
+        } else if at < intensity {
+            before = before.max(at);
+        } else {
+            after = after.min(at);
+        }
+    }
+    FragilityBound::Middle {
+        above: if reached_there < not_there {
+            intensity
+        } else {
+            before
+        },
+        at_most: if reached_there > not_there {
+            intensity
+        } else {
+            after
+        },
+    }
 }
 
 #[cfg(test)]
@@ -274,29 +313,61 @@ mod tests {
 
     #[test]
     fn holds_what_is_told_apart_by_size_alone_has_no_curve() {
-        for told_apart in [
-            vec![stripe(0.2, 5, 0), stripe(0.4, 5, 5)],
-            vec![stripe(0.2, 5, 0), stripe(0.4, 5, 2), stripe(0.6, 5, 5)],
-            vec![
-                Observation::Above(0.3),
-                Observation::Below(0.5),
-                Observation::Above(0.4),
-            ],
-            vec![Observation::At(0.3); 4],
-            vec![Observation::Between(0.3, 0.4), Observation::Between(0.35, 0.45)],
-            // one peak in two records, one ulp apart
-            vec![
-                Observation::Between(0.2, 0.37),
-                Observation::Between(0.37_f64.next_up(), 0.9),
-                Observation::Above(0.37),
-            ],
-            vec![Observation::At(0.37), Observation::At(0.37_f64.next_up())],
+        let separated = |survived, reached| FragilityBound::Separated { survived, reached };
+        let middle = |above, at_most| FragilityBound::Middle { above, at_most };
+        // one peak in two records, one ulp apart
+        let next_up = 0.37_f64.next_up();
+        for (told_apart, expected) in [
+            (vec![stripe(0.2, 5, 0), stripe(0.4, 5, 5)], separated(0.2, 0.4)),
+            (
+                vec![
+                    Observation::Above(0.3),
+                    Observation::Below(0.5),
+                    Observation::Above(0.4),
+                ],
+                separated(0.4, 0.5),
+            ),
+            (vec![Observation::At(0.3); 4], separated(0.3, 0.3)),
+            (
+                vec![Observation::Between(0.3, 0.4), Observation::Between(0.35, 0.45)],
+                separated(0.35, 0.4),
+            ),
+            (
+                vec![Observation::At(0.37), Observation::At(next_up)],
+                separated(0.37, 0.37),
+            ),
+            // two, three or half of the motions reach it at 0.4: the median is above it, at most it, or on either side
+            (
+                vec![stripe(0.2, 5, 0), stripe(0.4, 5, 2), stripe(0.6, 5, 5)],
+                middle(0.4, 0.6),
+            ),
+            (
+                vec![stripe(0.2, 5, 0), stripe(0.4, 5, 3), stripe(0.6, 5, 5)],
+                middle(0.2, 0.4),
+            ),
+            (
+                vec![stripe(0.2, 4, 0), stripe(0.4, 4, 2), stripe(0.6, 4, 4)],
+                middle(0.2, 0.6),
+            ),
+            (
+                vec![
+                    Observation::Between(0.2, 0.37),
+                    Observation::Between(next_up, 0.9),
+                    Observation::Above(0.37),
+                ],
+                middle(0.37, 0.9),
+            ),
+            // one of four motions reaches it at 0.5, the others at 0.8
+            (
+                [
+                    vec![Observation::Between(0.2, 0.5)],
+                    vec![Observation::Between(0.5, 0.8); 3],
+                ]
+                .concat(),
+                middle(0.5, 0.8),
+            ),
         ] {
-            let found = bound(&told_apart);
-            assert!(
-                matches!(found, Some(FragilityBound::Separated { .. })),
-                "{found:?}"
-            );
+            assert_eq!(bound(&told_apart), Some(expected), "{told_apart:?}");
         }
         for overlapping in [
             vec![stripe(0.2, 5, 1), stripe(0.4, 5, 4)],

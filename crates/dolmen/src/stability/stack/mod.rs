@@ -81,7 +81,7 @@ pub use stack_limits::stack_limits;
 pub use stack_limits_options::StackLimits;
 pub use standing::Standing;
 pub use support_movement::{
-    MovedStack, MovedSupports, MovementEnding, SupportMovementOptions, SupportReaction,
+    MovedStack, MovedSupports, MovementEnding, SupportJump, SupportMovementOptions, SupportReaction,
     follow_support_movement,
 };
 pub use threshold::Threshold;

@@ -7,7 +7,7 @@
 //! | g | `gap` | distance of both faces along n at a corner | m |
 
 use crate::structure::stack::{Body, Joint, Polygon, Solid, Stack};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 /// Smallest cosine between the normal of a face and that of its joint: 6°.
 const FACES_JOINT: f64 = 0.9945;
@@ -52,6 +52,13 @@ impl BlockPose {
     /// The point of the block as drawn that is now at a given position.
     fn drawn(&self, now: DVec3) -> DVec3 {
         self.centre + self.rotation.transpose() * (now - self.now())
+    }
+
+    /// Angle of the rotation since another pose, rad.
+    pub(super) fn turned_from(&self, other: &Self) -> f64 {
+        DQuat::from_mat3(&(self.rotation * other.rotation.transpose()))
+            .to_scaled_axis()
+            .length()
     }
 
     /// Moves the block further, by a displacement of its centroid and a rotation vector.

@@ -16,7 +16,8 @@ pub struct SupportMovementOptions {
     /// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, our choice: half of it
     /// changes the movement at collapse of an arch with t/R = 0.15 by less than 0.1 %.
     pub step: f64,
-    /// Movement at which the analysis ends, over the size of the stack. Default 0.5, our choice: far beyond any repair.
+    /// Movement at which the analysis ends, over the size of the stack. Default 0.1, our choice: beyond any repair, and stones that come to touch
+    /// anew are not seen.
     pub movement_most: f64,
     /// Largest number of steps, including rejected ones. Default 1000, our choice.
     pub steps_most: usize,
@@ -27,7 +28,7 @@ impl Default for SupportMovementOptions {
         SupportMovementOptions {
             loads: StackLoads::default(),
             step: 0.004,
-            movement_most: 0.5,
+            movement_most: 0.1,
             steps_most: 1000,
         }
     }
@@ -58,17 +59,30 @@ pub struct MovedStack {
     pub slip_m: f64,
 }
 
+/// Stones that move on by themselves until they rest again, while the supports stand still: open joints close and others open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SupportJump {
+    /// Factor on the given movement at which it begins.
+    pub factor: f64,
+    /// Largest displacement of a stone, m.
+    pub moved_m: f64,
+    /// Largest rotation of a stone, rad.
+    pub turned_rad: f64,
+}
+
 /// End of the analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MovementEnding {
-    /// Beyond the last state, within less than one step, no joint forces balance the weight.
+    /// Beyond the last state, within less than one step, no joint forces balance the weight, and the stones find no other rest nearby.
     Falls {
         /// Factor on the given movement at which the stack falls.
         by_factor: f64,
     },
     /// The stack stood until the largest movement of the analysis.
     Stands,
-    /// A step was not solved, or the number of steps did not suffice: the result is unknown.
+    /// A step was not solved, the number of steps did not suffice, or the given movement is larger than the largest of the analysis: the result
+    /// is unknown.
     NotFollowed,
 }
 
@@ -81,6 +95,8 @@ pub struct MovedSupports {
     pub given: Option<MovedStack>,
     /// The last state in which the stack stood.
     pub last: MovedStack,
+    /// Jumps on the way there, in their order.
+    pub jumps: Vec<SupportJump>,
     /// End of the analysis.
     pub ending: MovementEnding,
     /// Largest error of equilibrium in any step, over the weight.
@@ -100,6 +116,10 @@ impl MovedSupports {
 const SMALL: f64 = 1e-4;
 /// Smallest step of the movement, over the size of the stack: a stack that needs a smaller step falls. Our choice: 0.02 mm per metre.
 const STEP_LEAST: f64 = 2e-5;
+/// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in a jump: stones that move farther fall. Our choice: an
+/// arch of 15 voussoirs jumps by 0.016 rad when a hinge changes its joint.
+const JUMP_TURN: f64 = 0.1;
+const JUMP_SHIFT: f64 = 0.05;
 /// Gaps and slips below this fraction of the largest are not reported. Our choice, as in the limit analysis.
 const NAMED_LEAST: f64 = 1e-3;
 /// The same for this fraction of the movement, if it is larger. Our choice.
@@ -110,16 +130,17 @@ const NAMED_OF_MOVEMENT: f64 = 0.1;
 /// ```text
 /// each step   for a small part of the given movement, the motion of all stones without penetration that loses most potential energy
 /// then        the stones move by finite rotations; joints are found again where faces still overlap; the next step
-/// falls       if stones move too far even in the smallest step, or if the weight is not balanced
+/// jumps       if stones move too far even in the smallest step: they move on in parts of it, with the ground nearly at rest, until they rest again
+/// falls       if they find no rest nearby, or if the weight is not balanced
 /// ```
 ///
 /// # Errors
 /// [`StabilityError`] for options out of their range, a stack without such movements, or a programme that was not solved.
 ///
 /// # Limits
-/// The movement is slow. Stone is rigid and infinitely strong; bond, ties and side supports are left out. Only joints as drawn are included: new
-/// contacts of stones are not detected. Sliding follows Coulomb's law to the first order of the step. Of equally loaded joints, the first one to
-/// slide is arbitrary. Until joints have opened, the positions of cracks are not determined.
+/// The movement is slow; the speed that stones gain in a jump is left out. Stone is rigid and infinitely strong; bond, ties and side supports
+/// are left out. Only joints as drawn are included: new contacts of stones are not detected. Sliding follows Coulomb's law to the first order of
+/// the step. Of equally loaded joints, the first one to slide is arbitrary. Until joints have opened, the positions of cracks are not determined.
 ///
 /// # Source
 /// Ochsendorf (2006) for arches on spreading supports; Portioli & Cascini (2017) for the step.
@@ -144,6 +165,7 @@ pub fn follow_support_movement(
     let mut falls_by: Option<f64> = None;
     let mut before: Option<(Path<'_>, f64)> = None;
     let mut ending = MovementEnding::NotFollowed;
+    let mut jumps = Vec::new();
     while path.steps < options.steps_most {
         let mut to = path.factor + ahead;
         if given.is_none() && path.factor < 1.0 && to > 1.0 - 0.5 * least {
@@ -156,13 +178,6 @@ pub fn follow_support_movement(
                 before = Some((from, to - path_factor));
                 if first.is_none() {
                     first = Some(path.state());
-                }
-                if given.is_none() && path.factor == 1.0 {
-                    given = Some(path.state());
-                }
-                if path.factor >= most.max(1.0) {
-                    ending = MovementEnding::Stands;
-                    break;
                 }
                 let grows = falls_by.is_none() && share < 0.5;
                 ahead *= if grows { 1.5 } else { 1.0 };
@@ -180,12 +195,34 @@ pub fn follow_support_movement(
                         falls_by = Some(to);
                         continue;
                     }
-                    if not_taken == StepOutcome::Falls {
-                        ending = MovementEnding::Falls { by_factor: to };
+                    let mut beyond = path.clone();
+                    let jumped = match not_taken {
+                        StepOutcome::Falls => beyond.jump(to, options.steps_most),
+                        _ => JumpEnd::NotSolved,
+                    };
+                    path.steps = beyond.steps;
+                    match jumped {
+                        JumpEnd::Rests(jump) => {
+                            jumps.push(jump);
+                            (path, ahead, falls_by, before) = (beyond, least, None, None);
+                        }
+                        JumpEnd::Falls => {
+                            ending = MovementEnding::Falls { by_factor: to };
+                            break;
+                        }
+                        JumpEnd::NotSolved => break,
                     }
-                    break;
                 }
             }
+        }
+        if given.is_none() && path.factor == 1.0 {
+            given = Some(path.state());
+        }
+        if path.factor >= most {
+            if given.is_some() {
+                ending = MovementEnding::Stands;
+            }
+            break;
         }
         // the failure may be due to too large a step
         if falls_by.is_some_and(|by| path.factor >= by * (1.0 - 1e-12)) {
@@ -197,6 +234,7 @@ pub fn follow_support_movement(
         small: first.unwrap_or_else(|| last.clone()),
         given,
         last,
+        jumps,
         ending,
         residual: path.residual,
         steps: path.steps,
@@ -210,6 +248,15 @@ enum StepOutcome {
         share: f64,
     },
     /// The stones would move too far, or no forces are in equilibrium.
+    Falls,
+    NotSolved,
+}
+
+/// End of a jump.
+enum JumpEnd {
+    /// The stones found another rest.
+    Rests(SupportJump),
+    /// They moved too far, or no forces are in equilibrium.
     Falls,
     NotSolved,
 }
@@ -306,6 +353,18 @@ impl<'a> Path<'a> {
     /// Tries a step to this factor.
     fn try_step(&mut self, factor: f64) -> StepOutcome {
         self.steps += 1;
+        match self.solved(factor) {
+            Ok(Some((found, share))) if share <= 1.0 => {
+                self.take(found, factor, 1.0);
+                StepOutcome::Taken { share }
+            }
+            Ok(_) => StepOutcome::Falls,
+            Err(_) => StepOutcome::NotSolved,
+        }
+    }
+
+    /// The step to this factor, and the largest motion in it over the largest allowed; `None` if no forces are in equilibrium.
+    fn solved(&self, factor: f64) -> Result<Option<(Step, f64)>, StabilityError> {
         let ground: Vec<DVec3> = self.unit.iter().map(|u| *u * (factor - self.factor)).collect();
         let dead = self.dead_now();
         let found = step(&Stage {
@@ -315,35 +374,60 @@ impl<'a> Path<'a> {
             ground: &ground,
             length: self.size,
             weight: self.weight,
-        });
-        let Step {
-            motions,
-            reactions,
-            missed,
-        } = match found {
-            Ok(Some(found)) => found,
-            Ok(None) => return StepOutcome::Falls,
-            Err(_) => return StepOutcome::NotSolved,
-        };
+        })?;
         let far = |motion: &Motion| motion.turn.length().max(motion.shift.length() / self.size);
-        let share = motions.iter().map(far).fold(0.0, f64::max) / self.step;
-        if share > 1.0 {
-            return StepOutcome::Falls;
-        }
-        let moved = self.moved.iter().zip(&motions);
+        let share = |found: &Step| found.motions.iter().map(far).fold(0.0, f64::max) / self.step;
+        Ok(found.map(|found| {
+            let share = share(&found);
+            (found, share)
+        }))
+    }
+
+    /// Moves by a part of a step: contact without penetration is convex, so that any part of it is allowed.
+    fn take(&mut self, found: Step, factor: f64, part: f64) {
+        let moved = self.moved.iter().zip(&found.motions);
         self.moved = moved
-            .map(|(moved, motion)| moved.on(motion.shift, motion.turn))
+            .map(|(moved, motion)| moved.on(motion.shift * part, motion.turn * part))
             .collect();
-        self.factor = factor;
-        self.contacts = self.contacts_of(&self.moved, factor);
-        self.reactions = reactions;
-        self.last_m = motions
-            .iter()
-            .map(|motion| motion.shift.length())
-            .fold(0.0, f64::max);
+        self.factor = match part < 1.0 {
+            true => self.factor + part * (factor - self.factor),
+            false => factor,
+        };
+        self.contacts = self.contacts_of(&self.moved, self.factor);
+        self.reactions = found.reactions;
+        let shifts = found.motions.iter().map(|motion| motion.shift.length());
+        self.last_m = part * shifts.fold(0.0, f64::max);
         self.slip_m = self.slip_m.max(self.slip_now_m());
-        self.residual = self.residual.max(missed);
-        StepOutcome::Taken { share }
+        self.residual = self.residual.max(found.missed);
+    }
+
+    /// Follows the stones while they move on although the ground hardly does, in parts of the step to this factor.
+    fn jump(&mut self, to: f64, steps_most: usize) -> JumpEnd {
+        let (before, factor) = (self.moved.clone(), self.factor);
+        while self.steps < steps_most {
+            self.steps += 1;
+            let (found, share) = match self.solved(to) {
+                Ok(Some(found)) => found,
+                Ok(None) => return JumpEnd::Falls,
+                Err(_) => return JumpEnd::NotSolved,
+            };
+            self.take(found, to, (1.0 / share).min(1.0));
+            let each = || before.iter().zip(&self.moved);
+            let moved = each().map(|(old, new)| new.shift.distance(old.shift));
+            let turned = each().map(|(old, new)| new.turned_from(old));
+            let jump = SupportJump {
+                factor,
+                moved_m: moved.fold(0.0, f64::max),
+                turned_rad: turned.fold(0.0, f64::max),
+            };
+            if jump.moved_m > JUMP_SHIFT * self.size || jump.turned_rad > JUMP_TURN {
+                return JumpEnd::Falls;
+            }
+            if share <= 1.0 {
+                return JumpEnd::Rests(jump);
+            }
+        }
+        JumpEnd::NotSolved
     }
 
     fn state(&self) -> MovedStack {

@@ -418,7 +418,8 @@ fn bounded(volume_m3: Option<f64>) -> String {
 }
 
 fn place(at: [f64; 3]) -> String {
-    let [x, y, z] = at;
+    // to 0.1 mm
+    let [x, y, z] = at.map(|m| (1e4 * m).round() / 1e4);
     format!("({x}, {y}, {z})")
 }
 

@@ -6,7 +6,7 @@ use crate::structure::stack::StackError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SliceError {
     /// The mesh does not enclose a body.
-    #[error("{0}")]
+    #[error(transparent)]
     Mesh(#[from] StackError),
     /// No height is given.
     #[error("no bed is given, but a tower has at least 1 between its stones: give the height of each")]
