@@ -2,8 +2,9 @@
 
 use super::scan::ChangeForm;
 use super::tilt::{TiltChange, TiltTrend};
+use super::weather::YEAR_DAYS;
 
-/// Largest number of readings on either side of a step whose means are compared.
+/// Number of readings on either side of a step whose means are compared at least, if there are so many.
 const BESIDE: usize = 3;
 /// Sum over difference of the tilts before and after, below which only the sign changed. Our choice.
 const OPPOSITE: f64 = 0.1;
@@ -34,15 +35,35 @@ impl TiltTrend {
         near.next().filter(|_| is_step)
     }
 
-    /// Mean tilt of the readings before and after a step.
+    /// Mean tilt of the readings of a year after a step, and of those of the year before it in the same season: a tilt follows the sun.
     fn beside(&self, step: &TiltChange) -> [f64; 2] {
-        let ratios = &self.series.ratios;
+        let (days, ratios) = (&self.series.days, &self.series.ratios);
         let is_sound = |i: &usize| self.outliers.iter().all(|of| of.at != *i);
+        let near = |of: &mut dyn Iterator<Item = usize>| -> Vec<usize> {
+            let sound = of.filter(is_sound).enumerate();
+            let is_near = |(count, i): &(usize, usize)| {
+                *count < BESIDE || (days[*i] - days[step.from]).abs() <= YEAR_DAYS
+            };
+            sound.take_while(is_near).map(|(_, i)| i).collect()
+        };
+        // between the steps before and after it
+        let steps = || self.steps().map(|of| of.from);
+        let first = steps().filter(|from| *from < step.from).max().unwrap_or(0);
+        let last = steps().filter(|from| *from > step.from).min();
+        let before = near(&mut (first..step.from).rev());
+        let behind = near(&mut (step.from..last.unwrap_or(ratios.len())));
+        let apart = |i: usize, j: usize| {
+            let years = (days[i] - days[j]) / YEAR_DAYS;
+            (years - years.round()).abs()
+        };
+        let of_season = |i: &usize| {
+            let own = before.iter().copied();
+            own.min_by(|a, b| apart(*i, *a).total_cmp(&apart(*i, *b)))
+        };
+        let partners: Vec<usize> = behind.iter().filter_map(of_season).collect();
         let mean =
-            |which: Vec<usize>| -> f64 { which.iter().map(|i| ratios[*i]).sum::<f64>() / which.len() as f64 };
-        let before = mean((0..step.from).rev().filter(is_sound).take(BESIDE).collect());
-        let behind = mean((step.from..ratios.len()).filter(is_sound).take(BESIDE).collect());
-        [before, behind]
+            |which: &[usize]| -> f64 { which.iter().map(|i| ratios[*i]).sum::<f64>() / which.len() as f64 };
+        [mean(&partners), mean(&behind)]
     }
 
     /// Whether the tilt fell in a step by the ratio of two units: if it did not fall, a forecast from its level would come too late.
@@ -65,5 +86,65 @@ pub(super) fn without_forecast(trend: &mut TiltTrend) {
     }
     if let Some(reach) = trend.slope.as_mut().and_then(|slope| slope.reach.as_mut()) {
         (reach.years, reach.years_earliest, reach.years_latest) = (None, None, None);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tilt::{TiltSeeking, TiltSeries, tilt_trend};
+    use super::*;
+    use crate::numeric::Random;
+    use std::f64::consts::TAU;
+
+    /// Six readings a year for six and a half years: 3 mm/m and 0.1 mm/m a year beside a yearly wave of 0.3 mm/m; from reading `from` on divided by `by`.
+    fn trend(seed: u64, from: usize, by: f64) -> TiltTrend {
+        let mut random = Random::new(4, seed);
+        let days: Vec<f64> = (0..40).map(|i| 60.0 * f64::from(i)).collect();
+        let read = |(i, day): (usize, &f64)| {
+            let years = day / YEAR_DAYS;
+            let tilt = 3.0 + 0.1 * years + 0.3 * (TAU * years).sin() + 0.05 * random.normal();
+            let written = if i < from { tilt } else { tilt / by };
+            1e-3 * (100.0 * written).round() / 100.0
+        };
+        let series = TiltSeries {
+            direction: "x".to_owned(),
+            datum: None,
+            surveys: (0..days.len()).collect(),
+            ratios: days.iter().enumerate().map(read).collect(),
+            days,
+        };
+        let how = TiltSeeking {
+            significance: 0.05,
+            limit: None,
+            reading_sd: 0.0,
+            replicates: 0,
+            seed: 1,
+        };
+        tilt_trend(series, &[], &how).unwrap()
+    }
+
+    #[test]
+    fn holds_degrees_are_found_beside_a_yearly_wave_from_any_season_on() {
+        let degree = 1000.0 * std::f64::consts::PI / 180.0;
+        let mut told = 0;
+        for seed in 0..20 {
+            // the last three to eight readings are in degrees, as of a season and of more than a year
+            for from in 32..38 {
+                let found = trend(seed, from, degree);
+                let units = found.changes.iter().filter_map(|of| found.changes_unit(of));
+                let units: Vec<f64> = units.collect();
+                let is_one = |of: &f64| (of * degree - 1.0).abs() < 1e-12;
+                assert!(
+                    units.len() < 2 && units.iter().all(is_one),
+                    "{seed} {from}: {units:?}"
+                );
+                told += units.len();
+            }
+            // a structure that came back by four fifths
+            let found = trend(seed, 33, 5.0);
+            assert!(found.changes.iter().all(|of| found.changes_unit(of).is_none()));
+        }
+        // the growth of a year takes 3 of the 5 %
+        assert!(told >= 105, "{told} of 120");
     }
 }
