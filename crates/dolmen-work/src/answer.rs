@@ -16,6 +16,7 @@ use crate::stack::{SettledSimulation, StackRuns, StackSimulation, SupportsSimula
 use crate::state::{SensitivityOf, State, VariantAnswer};
 use crate::study::{LeftOutStudy, StudyAnswer};
 use crate::surveyed::{ModesOf, SurveyAnswer};
+use crate::unlike_forces::UnlikeForces;
 use crate::watched::WatchAnswer;
 use dolmen::assess::{Sensitivity, SurveyChange};
 use dolmen_project::Project;
@@ -124,6 +125,8 @@ pub struct CompareAnswer {
     pub readings: ComparedReadings,
     /// Which of both surveys have records with an earthquake, and which part of the records their modes come from.
     pub shaken: Vec<(String, ModesOf)>,
+    /// Surveys of the two whose records say that forces may have shifted their modes.
+    pub unlike_forces: Vec<(String, UnlikeForces)>,
     /// Other surveys whose records cannot be used, and why: the weather and the scatter are without them.
     pub unread: Vec<(String, Both)>,
 }

@@ -16,6 +16,7 @@ use crate::rate_slip::rate_slip;
 use crate::same_record::refuse_same_records;
 use crate::surveyed::{ModesOf, SurveyAnswer};
 use crate::told::told_both;
+use crate::unlike_forces::unlike_forces;
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
 use dolmen::modal::Pairing;
 use dolmen_project::{Project, TemperaturePart};
@@ -115,6 +116,7 @@ pub(crate) fn compared_of(
         history: history.map(|of| of.told),
         readings: compared_readings(project, compared.from, compared.to),
         shaken: shaken(project, of_modes, answers),
+        unlike_forces: unlike_forces(project, of_modes, answers),
         unread: Vec::new(),
     })
 }

@@ -89,6 +89,7 @@ mod tilt_left_out;
 pub mod tilts_read;
 mod told;
 mod undamped;
+pub mod unlike_forces;
 mod unreadable_motions;
 mod used_record;
 mod validate;

@@ -2,6 +2,7 @@
 
 use super::doubts::doubts;
 use super::events_between::{between, fitted_through};
+use super::forces;
 use super::history;
 use super::parts;
 use super::quantities::{bare_percent, hertz, percent, plus, temperature};
@@ -152,6 +153,7 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     );
     all.extend(damping(change));
     all.push(frequencies(change));
+    all.extend(forces::doubts(answer, change));
     all.extend(other_shapes(change));
     all.extend(answer.history.as_ref().map(|of| history::finding(of, change)));
     all.extend(answer.history.as_ref().and_then(history::passed_over));

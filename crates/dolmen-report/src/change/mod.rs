@@ -4,6 +4,7 @@ mod dampings;
 mod doubts;
 mod events_between;
 mod findings;
+mod forces;
 mod frequencies;
 mod history;
 mod notes;
@@ -44,11 +45,12 @@ messages! {
 }
 
 /// Templates of the sentences on two surveys.
-pub(crate) const TEMPLATES: [&[Template]; 12] = [
+pub(crate) const TEMPLATES: [&[Template]; 13] = [
     findings::Found::TEMPLATES,
     history::Behind::TEMPLATES,
     events_between::Befell::TEMPLATES,
     doubts::Doubted::TEMPLATES,
+    forces::Forces::TEMPLATES,
     Compared::TEMPLATES,
     temperature::Weather::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,
