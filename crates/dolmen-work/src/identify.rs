@@ -344,7 +344,7 @@ fn hidden_by_spikes(why: WorkError, faults: &[ChannelFault]) -> WorkError {
             place,
             cause: Box::new(hidden_by_spikes(*cause, faults)),
         },
-        WorkError::Modal(of) if matches!(*of, ModalError::NoPeak { .. }) => {
+        WorkError::Modal(of) if matches!(*of, ModalError::NoPeak { .. } | ModalError::NoPeakLeft { .. }) => {
             let spikes = faults.iter().find_map(|fault| match fault {
                 ChannelFault::Spikes {
                     channel,

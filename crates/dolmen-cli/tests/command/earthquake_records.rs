@@ -52,6 +52,31 @@ channels = [
     scratch
 }
 
+/// Blows at these times on three sensors of a mast, m/s², at 100 Hz: modes at 1.85, 7.2 and 17.4 Hz, all times `times`.
+fn blows(seed: u64, at_s: &[f64], duration_s: f64, times: f64) -> Samples {
+    const MODES: [(f64, f64, [f64; 3]); 3] = [
+        (1.85, 0.006, [0.18, 0.53, 1.0]),
+        (7.2, 0.008, [-0.62, -0.47, 1.0]),
+        (17.4, 0.011, [0.69, -0.62, 1.0]),
+    ];
+    let mut random = Random::new(seed, 0);
+    let mut sample = |c: usize, t: f64| -> f64 {
+        let each = MODES.iter().flat_map(|(hz, zeta, shape)| {
+            let omega = std::f64::consts::TAU * hz * times;
+            let since = at_s.iter().map(move |at| t - at).filter(|since| *since >= 0.0);
+            since.map(move |t| shape[c] * (-zeta * omega * t).exp() * (omega * t).sin())
+        });
+        each.sum::<f64>() + 1e-3 * random.normal()
+    };
+    (0..3)
+        .map(|c| {
+            (0..(100.0 * duration_s) as usize)
+                .map(|t| sample(c, t as f64 / 100.0))
+                .collect()
+        })
+        .collect()
+}
+
 fn of_record(scratch: &Scratch) -> serde_json::Value {
     json(scratch, "identify project.toml")["surveys"][0]["records"].clone()
 }
@@ -183,7 +208,7 @@ fn holds_a_lorry_close_by_is_strong_shaking_and_no_alarm() {
     let plain = good(scratch.briefly("identify project.toml")).words();
     assert!(
         plain.contains("STRONG SHAKING")
-            && plain.contains("traffic close by or")
+            && plain.contains("traffic close by, a gust or")
             && !plain.contains("EARTHQUAKE"),
         "{plain}"
     );
@@ -235,5 +260,73 @@ fn holds_a_record_with_a_lorry_that_comes_is_a_survey_and_no_alarm() {
     assert!(
         plain.contains("strong shaking, ") && !plain.contains("EARTHQUAKE"),
         "{plain}"
+    );
+}
+
+#[test]
+fn holds_a_blow_is_a_free_decay_and_no_earthquake() {
+    for (name, at_s) in [("one-blow", &[3.0][..]), ("blows", &[3.0, 24.0, 43.0])] {
+        let scratch = survey(name, &blows(1, at_s, 60.0, 1.0), 0..0);
+        let plain = good(scratch.briefly("identify project.toml")).words();
+        assert!(
+            plain.contains("FREE DECAY") && !plain.contains("EARTHQUAKE"),
+            "{plain}"
+        );
+        let korean = good(scratch.briefly("identify project.toml --language ko")).words();
+        assert!(
+            korean.contains("자유감쇠") && !korean.contains("지진"),
+            "{korean}"
+        );
+        let record = of_record(&scratch);
+        assert!(record["earthquake"].is_null(), "{record}");
+        let spans = record["free_decays"]["spans_s"].as_array().unwrap();
+        assert_eq!(spans.len(), at_s.len(), "{spans:?}");
+        let modes = record["modes"]["modes"].as_array().unwrap();
+        let near = |hz: f64| {
+            modes
+                .iter()
+                .filter(|of| (of["frequency_hz"].as_f64().unwrap() / hz - 1.0).abs() < 0.01)
+                .count()
+        };
+        assert_eq!([1.85, 7.2, 17.4].map(near), [1, 1, 1], "{modes:?}");
+        assert_eq!(modes.len(), 3, "{modes:?}");
+    }
+}
+
+#[test]
+fn holds_a_change_between_records_of_blows_is_not_sure() {
+    let scratch = survey("blows-compared", &blows(1, &[3.0, 24.0, 43.0], 60.0, 1.0), 0..0);
+    fs::rename(
+        scratch.path().join("record.csv"),
+        scratch.path().join("before.csv"),
+    )
+    .unwrap();
+    let later = survey("blows-later", &blows(2, &[5.0, 22.0, 41.0], 60.0, 0.97), 0..0);
+    fs::copy(later.path().join("record.csv"), scratch.path().join("after.csv")).unwrap();
+    let project = fs::read_to_string(scratch.path().join("project.toml")).unwrap();
+    let at = project.find("[survey").unwrap();
+    let of = |date: &str, file: &str| {
+        let own = project[at..]
+            .replace("2026-05-01", date)
+            .replace("record.csv", file);
+        format!("[survey.{date}]\ntemperature_c = 15\n{own}")
+    };
+    let both = format!(
+        "{}{}{}",
+        &project[..at],
+        of("2020-05-01", "before.csv"),
+        of("2026-05-02", "after.csv")
+    );
+    fs::write(scratch.path().join("project.toml"), both).unwrap();
+    let plain = good(scratch.briefly("compare project.toml")).words();
+    assert!(
+        plain.contains("changed beyond chance")
+            && plain.contains("NOT SURE, since the record of survey 2020-05-01"),
+        "{plain}"
+    );
+    let korean = good(scratch.briefly("compare project.toml --language ko")).words();
+    assert!(
+        korean.contains("확실하지 않다. 2020-05-01 조사의 기록은 타격 뒤의 자유감쇠"),
+        "{korean}"
     );
 }

@@ -57,8 +57,8 @@ messages! {
             ko: "  센서: 고유진동수는 이전 조사와 같으나 모드형상이 다르며(MAC {assurance}) {channel}을(를) 빼면 같다. 그 센서의 방향·위치가 바뀌었거나 교체되었거나 극성이 반대이다",
         },
         Traffic { from: Quantity, to: Quantity, peak: Sentence } => {
-            en: "  strong shaking, {from} to {to} ({peak}): an earthquake, traffic close by or a gust; the modes are those of the rest of the record",
-            ko: "  강한 진동 {from}–{to}({peak}): 지진, 가까운 교통 또는 돌풍. 모드는 나머지 구간의 것이다",
+            en: "  strong shaking, {from} to {to} ({peak}): an earthquake, traffic close by, a gust or blows; the modes are those of the rest of the record",
+            ko: "  강한 진동 {from}–{to}({peak}): 지진, 가까운 교통, 돌풍 또는 타격. 모드는 나머지 구간의 것이다",
         },
         LeftOut(channels: Vec<String>) => {
             en: "  left out of the identification: {channels}",

@@ -10,7 +10,7 @@ use super::steps::step_words;
 use super::values::{all_hertz, frequency, hertz};
 use crate::document::{Finding, Tone};
 use dolmen::modal::{DrivenMode, Mode, Note, PartialMode, Refusal, RefusedPeak, SensorDoubt};
-use dolmen::signal::Processing;
+use dolmen::signal::{Channel, Processing};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
 
@@ -383,10 +383,10 @@ fn follows_little(mode: &DrivenMode) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, found))
 }
 
-/// A channel whose values are so small compared with the others that its unit is probably wrong.
-fn still(note: &Note) -> Option<Finding> {
+/// A channel whose values are so small compared with the others that its unit is probably wrong, or that stands still among moving ones.
+fn still(record: &RecordAnswer, note: &Note) -> Option<Finding> {
     match note {
-        Note::StandsStill { channel, share } if *share < OTHER_UNIT => {
+        Note::StandsStill { channel, share } if *share < OTHER_UNIT || stands_among(record, channel) => {
             let found = Found::Still {
                 channel: channel.clone(),
                 share: Quantity::ratio(100.0 * share.max(0.001), 1),
@@ -395,6 +395,21 @@ fn still(note: &Note) -> Option<Finding> {
         }
         _ => None,
     }
+}
+
+/// Whether a channel stands above the ground, and not below any channel that moves: it cannot be on firm ground.
+fn stands_among(record: &RecordAnswer, name: &str) -> bool {
+    let height_m = |of: &Channel| of.position_m.map(|[_, _, z]| z);
+    let channels = &record.analysis.modes.channels;
+    let own = channels.iter().find(|of| of.name == name).and_then(height_m);
+    let is_still = |other: &Channel| {
+        let mut notes = record.analysis.notes.iter();
+        notes.any(|note| matches!(note, Note::StandsStill { channel, .. } if *channel == other.name))
+    };
+    own.is_some_and(|own| {
+        let mut moving = channels.iter().filter(|of| !is_still(of)).filter_map(height_m);
+        own > 0.0 && moving.any(|z| z <= own)
+    })
 }
 
 /// Whether a channel at rest in the modes moved in an earthquake of the record as much as its unit implies. It is then connected, and
@@ -466,7 +481,7 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
         .notes
         .iter()
         .filter(|note| !has_felt(record, note));
-    all.extend(still.filter_map(self::still));
+    all.extend(still.filter_map(|note| self::still(record, note)));
     let off = record.analysis.driven.iter().flat_map(|of| &of.off_ground);
     all.extend(off.map(|of| Finding::key(Tone::Warn, driven::off_ground(of)).with_code("sensor-slip")));
     let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);

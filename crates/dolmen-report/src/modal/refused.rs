@@ -29,8 +29,8 @@ messages! {
             ko: "{at}(채널의 위상이 0° 또는 180°가 아니다: 위상 공선성 {found}, 하한 {least})",
         },
         Scattered { at: Quantity, found: Quantity, most: Quantity } => {
-            en: "{at} (its frequency scatters {found} times as much as so long a record explains, at most {most} times is asked; a longer record helps)",
-            ko: "{at}(진동수의 산포가 기록 길이로 설명되는 값의 {found}배이다. 상한 {most}배. 기록이 더 길면 나아진다)",
+            en: "{at} (its frequency scatters {found} times as much as so long a record explains, at most {most} times is asked; a longer record helps where the structure does not change in it)",
+            ko: "{at}(진동수의 산포가 기록 길이로 설명되는 값의 {found}배이다. 상한 {most}배. 구조물이 변하지 않는 동안의 더 긴 기록이면 나아진다)",
         },
         FewOrders { at: Quantity, orders: usize, wanted: usize } => {
             en: "{at} (model orders that show it: {orders}, at least {wanted} are asked«; order_most raises the highest order»)",

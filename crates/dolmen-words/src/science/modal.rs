@@ -15,6 +15,7 @@ korean_of! {
         ModalError::BlockRows { given, least, frequency_hz, sampling_rate_hz } => "block_rows가 {given}인데 찾는 가장 낮은 모드({frequency_hz:.3} Hz)에는 초당 {sampling_rate_hz}개의 자료에서 {least} 이상이 필요하다. block_rows를 키우거나, 솎거나, frequency_low_hz를 높인다";
         ModalError::TooShort { samples, lags, blocks, needed } => "기록의 자료가 {samples}개인데 시간 블록 {blocks}개에서 지연 {lags}개의 상관에는 {needed}개가 필요하다. 더 오래 기록하거나 block_rows를 낮춘다";
         ModalError::Option { option, given, allowed } => "{option}이(가) {given}인데 {allowed}이어야 한다", option = phrase(option), allowed = phrase(allowed);
+        ModalError::NoPeakLeft { at_hz } => "스펙트럼의 피크({at_hz} Hz)가 모두 기계 진동이거나 구조물이 조용한 동안에는 나타나지 않는 것이다. 기계와 발걸음 없이 구조물이 고르게 진동하는 구간만 식별한다. 그래도 찾으려면 block_rows와 진동수 범위를 입력한다", at_hz = listed_hz(at_hz);
         ModalError::NoPeak { prominence_db, low_hz, high_hz } => "{low_hz}~{high_hz} Hz의 스펙트럼에 주변보다 {prominence_db} dB 높은 피크가 없다. 기록에 잡음뿐일 수 있다. 당겼다 놓거나 타격한 뒤의 자유진동이면 method = \"era\"로 한다. 그 밖의 기록에서 그래도 찾으려면 block_rows와 진동수 범위를 입력한다";
         ModalError::AcceptedOfDecay { given_hz } => "자유감쇠(era)의 모드는 판정 기준으로 제외되지 않으므로 {given_hz} Hz를 채택할 수 없다. 뺀다";
         ModalError::PickedTwice { given_hz, found_hz } => "pick_hz {given_hz}은(는) {found_hz:.4} Hz의 모드인데 다른 선택이 이미 그 모드를 가리킨다. 하나를 뺀다";

@@ -134,6 +134,16 @@ pub enum ModalError {
         /// Highest frequency of the analysis, Hz.
         high_hz: f64,
     },
+    /// The spectrum has peaks, but tests refuse all of them, so no setting can be chosen from the data.
+    #[error(
+        "the spectrum has peaks at {} Hz, but each is that of a machine, or is not there while the structure is quiet: identify a part of the record \
+         in which the structure moves evenly, without machines and steps; else give block_rows and the frequency range to try all the same",
+        listed_hz(at_hz)
+    )]
+    NoPeakLeft {
+        /// Frequencies of the peaks, Hz.
+        at_hz: Vec<f64>,
+    },
     /// A channel is dead or has the same signal as another.
     #[error("{0}")]
     Channel(ChannelFault),
@@ -344,6 +354,7 @@ impl ModalError {
             | Self::TooShort { .. }
             | Self::Option { .. }
             | Self::NoPeak { .. }
+            | Self::NoPeakLeft { .. }
             | Self::Channel(_)
             | Self::AcceptedOfDecay { .. }
             | Self::PickedTwice { .. }

@@ -2,7 +2,7 @@
 
 use super::accept::{accepted, candidates, put_in, taken_out};
 use super::candidate::Candidate;
-use super::decay::{decays_in, of_decay};
+use super::decay::{decays_in, leave_out_copies, of_decay};
 use super::driven::of_driven;
 use super::halves::changed_between_halves;
 use super::likelihood::{Question, refined, shown_by_lines};
@@ -42,7 +42,7 @@ use crate::signal::{Record, leave_out};
 /// [`Settings`](super::Settings). The record is read twice: with long lags for the spectrum, and for SSI.
 ///
 /// # Errors
-/// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
+/// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::NoPeakLeft`], [`ModalError::BlockRows`],
 /// [`ModalError::Order`], [`ModalError::ModesWanted`], [`ModalError::ModesMissing`], [`ModalError::TooShort`],
 /// [`ModalError::NoModeAt`], [`ModalError::Dependent`], [`ModalError::Option`], [`ModalError::Linalg`].
 ///
@@ -87,13 +87,13 @@ fn of_ambient(
     mut notes: Vec<Note>,
 ) -> Result<ModalAnalysis, ModalError> {
     let mut peaks = spectrum(record, options)?;
-    let free_decays = match options.method {
+    let decaying = match options.method {
         Method::Era => None,
         _ => decays_in(record),
     };
     // the tests for machines and footsteps assume random forces
-    let is_ambient = options.method != Method::Era && free_decays.is_none();
-    let set_aside = match free_decays {
+    let is_ambient = options.method != Method::Era && decaying.is_none();
+    let set_aside = match decaying {
         Some(_) => SetAside::default(),
         None => split_tones(record, &mut peaks, options, &mut notes)?,
     };
@@ -105,7 +105,12 @@ fn of_ambient(
             of_separate_poles(record, options, (peaks, &set_aside), (&mut refused, &mut notes))?
         }
     };
-    analysis.free_decays = free_decays;
+    if let Some(found) = decaying {
+        let before = analysis.modes.modes.clone();
+        leave_out_copies(&mut analysis.modes, &found.modes);
+        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::SplitsOff));
+        analysis.free_decays = Some(found.decays);
+    }
     if is_ambient {
         let all = (0..record.channels().len()).collect();
         let before = analysis.modes.modes.clone();
@@ -272,6 +277,16 @@ fn of_separate_poles(
     Ok(analysis)
 }
 
+/// The same error, or that tests set all peaks aside.
+fn none_left(why: ModalError, set_aside: &SetAside) -> ModalError {
+    let mut at_hz: Vec<f64> = set_aside.peaks.iter().map(|of| of.mode.frequency_hz).collect();
+    at_hz.sort_by(f64::total_cmp);
+    match why {
+        ModalError::NoPeak { .. } if !at_hz.is_empty() => ModalError::NoPeakLeft { at_hz },
+        why => why,
+    }
+}
+
 /// Poles of all orders, judged and grouped.
 fn of_poles(
     record: &Record,
@@ -293,7 +308,8 @@ fn of_poles(
             .map_or_else(|| options.references.clone(), |few| few.channels.clone()),
         ..options.clone()
     };
-    let mut settings = choose(record, &with_few, (&peaks.modes, tones_hz), notes)?;
+    let chosen = choose(record, &with_few, (&peaks.modes, tones_hz), notes);
+    let mut settings = chosen.map_err(|why| none_left(why, set_aside))?;
     settings.references_keep = few.map(|few| few.kept);
     let criteria = options.criteria.within(settings.range_hz);
     let mut hankel_singular_values = Vec::new();
@@ -389,7 +405,9 @@ fn by_lines(
     let how = Question {
         range_hz: settings.range_hz,
         criteria,
-        deviation_over_floor_most: options.clustering.deviation_over_floor_most,
+        // the least deviation holds for blocks that are equally strong
+        deviation_over_floor_most: unequal(record, settings.time_blocks).scatter
+            * options.clustering.deviation_over_floor_most,
         tones_hz,
         time_blocks: settings.time_blocks,
     };

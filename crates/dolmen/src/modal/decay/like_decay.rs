@@ -5,7 +5,8 @@
 //! | P | `Energy::power` | mean square of all channels over a span, each channel with unit variance |
 //! | w | `window` | samples before and after a time that are compared to find a blow |
 
-use super::era::{Era, era};
+use super::era::{Era, FreeDecay, era};
+use crate::modal::Mode;
 use crate::numeric::sum_of;
 use crate::signal::{Record, cut};
 
@@ -41,17 +42,30 @@ pub struct DecaysInRecord {
     pub spans_s: Vec<[f64; 2]>,
 }
 
+/// Free decays, with the modes that they show.
+pub(crate) struct Decaying {
+    pub(crate) decays: DecaysInRecord,
+    /// The modes of the strongest decays, one decay after the other: a mode stands there once for each of them.
+    pub(crate) modes: Vec<Mode>,
+}
+
 /// The free decays of a record; `None` if it is not made up of them.
 ///
 /// # Limits
 /// A blow within a louder decay, beats of two modes in all channels, and vibration that hides a decay are not recognised.
-pub(crate) fn decays_in(record: &Record) -> Option<DecaysInRecord> {
+pub(crate) fn decays_in(record: &Record) -> Option<Decaying> {
     let energy = Energy::of(record);
     let whole = [0, record.length()];
-    if energy.falls(whole, GROWTH_MOST, FALL_LEAST) {
-        return Some(DecaysInRecord {
-            explained: explained(record)?,
-            spans_s: vec![[0.0, record.duration_s()]],
+    // the power of a record with one early blow falls too, but its modes do not decay from its beginning
+    if energy.falls(whole, GROWTH_MOST, FALL_LEAST)
+        && let Some(found) = explained(record)
+    {
+        return Some(Decaying {
+            decays: DecaysInRecord {
+                explained: found.explained,
+                spans_s: vec![[0.0, record.duration_s()]],
+            },
+            modes: found.modes.modes,
         });
     }
     let window = (record.length() / WINDOWS).max(WINDOW_LEAST);
@@ -83,21 +97,26 @@ pub(crate) fn decays_in(record: &Record) -> Option<DecaysInRecord> {
         .map(|span| span.map(|at| at as f64 / record.sampling_rate_hz()));
     let spans_s: Vec<[f64; 2]> = spans_s.collect();
     decays.sort_by(|a, b| energy.sum(*b).total_cmp(&energy.sum(*a)));
-    let mut least: f64 = 1.0;
+    let (mut least, mut modes) = (1.0_f64, Vec::new());
     for span in decays.iter().take(EXPLAINED) {
         let [from_s, to_s] = span.map(|at| at as f64 / record.sampling_rate_hz());
-        least = least.min(explained(&cut(record.clone(), from_s, to_s).ok()?)?);
+        let found = explained(&cut(record.clone(), from_s, to_s).ok()?)?;
+        least = least.min(found.explained);
+        modes.extend(found.modes.modes);
     }
-    (!decays.is_empty()).then_some(DecaysInRecord {
-        explained: least,
-        spans_s,
+    (!decays.is_empty()).then_some(Decaying {
+        decays: DecaysInRecord {
+            explained: least,
+            spans_s,
+        },
+        modes,
     })
 }
 
-/// Share of the motion that decaying modes explain, if it is large.
-fn explained(decay: &Record) -> Option<f64> {
+/// The decaying modes, if they explain a large share of the motion.
+fn explained(decay: &Record) -> Option<FreeDecay> {
     let found = era(decay, &Era::default()).ok()?;
-    (found.explained >= EXPLAINED_LEAST).then_some(found.explained)
+    (found.explained >= EXPLAINED_LEAST).then_some(found)
 }
 
 /// Sum of the squares of all channels up to each sample.
@@ -204,7 +223,7 @@ mod tests {
         };
         let samples = vec![of([1.0, 0.4]), of([-0.5, 1.0])];
         let decays = Record::new(["x", "y"].map(Channel::named).to_vec(), samples, 100.0).unwrap();
-        assert!(decays_in(&decays).unwrap().explained > 0.99);
+        assert!(decays_in(&decays).unwrap().decays.explained > 0.99);
         let mode = |frequency_hz, shape: [f64; 2]| MadeMode {
             frequency_hz,
             damping_ratio: 0.01,
@@ -218,7 +237,7 @@ mod tests {
                 ..MadeRecord::default()
             };
             let ambient = made.make().unwrap();
-            assert_eq!(decays_in(&ambient), None);
+            assert!(decays_in(&ambient).is_none());
             // nor is a gust that dies away
             let fades = |c: usize| {
                 let each = ambient.samples(c).iter().enumerate();
@@ -227,7 +246,46 @@ mod tests {
             };
             let rate_hz = ambient.sampling_rate_hz();
             let gust = Record::new(ambient.channels().to_vec(), vec![fades(0), fades(1)], rate_hz).unwrap();
-            assert_eq!(decays_in(&gust), None);
+            assert!(decays_in(&gust).is_none());
         }
+    }
+    #[test]
+    fn holds_one_early_blow_in_a_quiet_record_is_a_decay() {
+        let mut random = Random::new(5, 0);
+        let modes: [(f64, f64, [f64; 2]); 3] = [
+            (1.85, 0.006, [0.5, 1.0]),
+            (11.25, 0.008, [-0.6, 1.0]),
+            (30.84, 0.011, [0.7, 1.0]),
+        ];
+        let mut of = |c: usize| -> Vec<f64> {
+            let y = |t: f64| -> f64 {
+                let each = modes
+                    .iter()
+                    .map(|(hz, zeta, shape)| shape[c] * (-zeta * TAU * hz * t).exp() * (TAU * hz * t).sin());
+                each.sum()
+            };
+            let at = |i: u32| 0.005 * f64::from(i) - 3.0;
+            (0..12_000)
+                .map(|i| if at(i) < 0.0 { 0.0 } else { y(at(i)) } + 1e-3 * random.normal())
+                .collect()
+        };
+        let samples = vec![of(0), of(1)];
+        let record = Record::new(["low", "high"].map(Channel::named).to_vec(), samples, 200.0).unwrap();
+        // the power falls in every eighth of the whole record too
+        assert!(Energy::of(&record).falls([0, record.length()], GROWTH_MOST, FALL_LEAST));
+        let found = decays_in(&record).unwrap();
+        let [from_s, to_s] = found.decays.spans_s[0];
+        assert!(
+            found.decays.spans_s.len() == 1 && (3.0..3.3).contains(&from_s) && to_s > 4.0,
+            "{:?}",
+            found.decays
+        );
+        let is_found = |(hz, ..): &(f64, f64, [f64; 2])| {
+            let own = found.modes.iter();
+            own.filter(|mode| (mode.frequency_hz / hz - 1.0).abs() < 1e-3)
+                .count()
+                == 1
+        };
+        assert!(modes.iter().all(is_found), "{:?}", found.modes);
     }
 }

@@ -1,6 +1,7 @@
 //! Modes of free decays after a blow or a release, and their dependence on amplitude.
 
 mod blows;
+mod copies;
 mod decay_fit;
 mod decay_left;
 mod decrement;
@@ -10,6 +11,7 @@ mod like_decay;
 mod mode_decay;
 mod not_modes;
 
+pub(super) use copies::leave_out_copies;
 pub use decrement::{AtAmplitude, Decrement, decrement};
 pub use era::{Era, FreeDecay, era};
 pub(super) use identify_decay::{SHORT, of_decay, short_spectrum};

@@ -14,6 +14,8 @@ use crate::signal::Record;
 pub(crate) struct Unequal {
     /// Factor on variances from the blocks; 1 if all blocks have equal power.
     pub(crate) widening: f64,
+    /// Expected standard deviation from the blocks, before the widening, over that from as many blocks of equal power; at least 1.
+    pub(crate) scatter: f64,
     /// Effective number of blocks with equal power, at least 2.
     pub(crate) time_blocks: usize,
 }
@@ -22,7 +24,10 @@ pub(crate) struct Unequal {
 ///
 /// ```text
 /// x = Σ w_b x_b,   E Σ w_b² (x_b − x)² = σ² Σ u_b,   var x = σ² Σ w²:      widening = (b−1)/b Σ w² / Σ u,   ν = (Σ u)² / Σ u² − 1
+/// scatter² = b²/(b−1) Σ u        1 for equal blocks, with u = (b−1)/b³
 /// ```
+/// Few strong blocks scatter more than the duration of the record explains.
+///
 /// A single strong block determines the mean, so its deviation is nearly zero: without this correction the results of a gusty record would
 /// look far too accurate. For stationary records the widening is 1.00 to 1.02.
 ///
@@ -52,11 +57,13 @@ fn of_shares(share: impl Iterator<Item = f64> + Clone) -> Unequal {
     if count < 2.0 || first <= 0.0 || second <= 0.0 {
         return Unequal {
             widening: 1.0,
+            scatter: 1.0,
             time_blocks: count as usize,
         };
     }
     Unequal {
         widening: (count - 1.0) / count * square / first,
+        scatter: (count * count / (count - 1.0) * first).sqrt().max(1.0),
         time_blocks: ((first * first / second).floor() as usize).max(2),
     }
 }
@@ -84,6 +91,7 @@ mod tests {
     fn exact_equal_blocks_need_no_widening() {
         let found = of_shares([0.1; 10].into_iter());
         assert!((found.widening - 1.0).abs() < 1e-12, "{found:?}");
+        assert!((found.scatter - 1.0).abs() < 1e-12, "{found:?}");
         assert_eq!(found.time_blocks, 10);
     }
 
@@ -92,7 +100,9 @@ mod tests {
         // nine weak blocks and a strong one
         let mut share = [0.05; 10];
         share[3] = 0.55;
-        let Unequal { widening, .. } = of_shares(share.into_iter());
+        let Unequal {
+            widening, scatter, ..
+        } = of_shares(share.into_iter());
         let mut random = Random::new(5, 0);
         let (mut true_variance, mut stated) = (0.0, 0.0);
         for _ in 0..20_000 {
@@ -108,6 +118,12 @@ mod tests {
             true_variance / stated
         );
         assert!(widening > 2.0, "{widening}");
+        // of ten equal blocks the variance is 1/10
+        let of_equal = 10.0 * stated / 20_000.0;
+        assert!(
+            (scatter * scatter / of_equal - 1.0).abs() < 0.05,
+            "{scatter} {of_equal}"
+        );
     }
 
     #[test]

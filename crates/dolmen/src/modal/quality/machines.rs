@@ -1,5 +1,6 @@
 //! Peaks and modes caused by machines, detected by their width, steadiness and variation.
 
+use super::averaged::AveragedWidths;
 use super::harmonics::{GAUSSIAN, Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
 use super::lines::{FineLines, LineTest, seeing_most};
@@ -40,12 +41,21 @@ pub(crate) fn split_tones(
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
     let mut lines = FineLines::new(record);
+    let averaged = AveragedWidths::of(record, options)?;
     let (mut taken, mut spells): (Vec<RemovedPeak>, Vec<InSpells>) = (Vec::new(), Vec::new());
     let mut set_aside: Vec<Candidate> = Vec::new();
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
         let damping_ratio_least = options
             .criteria
             .damping_least_at(mode.frequency_hz, record.duration_s());
+        let kurtosis = kurtosis(record, &mode, USUAL_LEAST.max(damping_ratio_least))?;
+        let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
+        let is_sine = (looks_steady || 0.5 * width_hz / mode.frequency_hz < USUAL_LEAST)
+            && lines.test(&mode).is_some_and(|line| line.is_sine());
+        let width_hz = match is_sine {
+            true => width_hz,
+            false => averaged.width_hz(mode.frequency_hz, width_hz),
+        };
         let damping_ratio = 0.5 * width_hz / mode.frequency_hz;
         let as_wide = Mode {
             damping_ratio: Some(damping_ratio),
@@ -53,10 +63,6 @@ pub(crate) fn split_tones(
         };
         // a free decay is never present throughout the record
         let found = in_spells(record, &as_wide).filter(|_| options.method != Method::Era);
-        let kurtosis = kurtosis(record, &mode, USUAL_LEAST.max(damping_ratio_least))?;
-        let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
-        let is_sine = (looks_steady || damping_ratio < USUAL_LEAST)
-            && lines.test(&mode).is_some_and(|line| line.is_sine());
         // a peak that looks too steady for usual damping is a machine if it is also a sine, intermittent, or too steady for its own width
         let is_steady = looks_steady
             && (is_sine

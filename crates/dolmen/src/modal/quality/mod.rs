@@ -1,5 +1,6 @@
 //! Checks of a record and its modes: machines, clocks, sensors, clipping, gusts, pairs of modes under one peak.
 
+mod averaged;
 mod clipping;
 mod clocks;
 mod combs;

@@ -16,8 +16,6 @@ use std::ops::Range;
 
 /// Largest number of spectral lines: more lines need memory and show nothing more.
 const LINES_MOST: usize = 16_384;
-/// Smallest number of lines that can show a peak.
-const LINES_LEAST: usize = 64;
 /// Least ratio of samples to lines: with a smaller ratio there are fewer averages, and peaks of noise look like modes.
 const PARTS_LEAST: usize = 16;
 /// Number of lines from zero frequency that the removal of the mean and the lag window distort.
@@ -119,21 +117,26 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
 }
 
 impl Fdd {
+    /// Smallest number of lines that can show a peak.
+    pub(crate) const LINES_LEAST: usize = 64;
+
     /// Number of spectral lines for this record; checks all options.
     pub(crate) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
         if !(self.prominence_db > 0.0 && self.prominence_db.is_finite()) {
             return refused("prominence_db", self.prominence_db, "a positive number");
         }
-        if record.length() < PARTS_LEAST * LINES_LEAST {
+        if record.length() < PARTS_LEAST * Self::LINES_LEAST {
             return Err(ModalError::TooShort {
                 samples: record.length(),
-                lags: LINES_LEAST,
+                lags: Self::LINES_LEAST,
                 blocks: PARTS_LEAST,
-                needed: PARTS_LEAST * LINES_LEAST,
+                needed: PARTS_LEAST * Self::LINES_LEAST,
             });
         }
         let automatic = (record.length() / PARTS_LEAST + 1).next_power_of_two() / 2;
-        Ok(self.lines.unwrap_or(automatic.clamp(LINES_LEAST, LINES_MOST)))
+        Ok(self
+            .lines
+            .unwrap_or(automatic.clamp(Self::LINES_LEAST, LINES_MOST)))
     }
 }
 

@@ -2,7 +2,9 @@
 
 use super::features::{Features, features};
 use super::levels::Levels;
+use super::part::part_of;
 use super::shaking::{Shaking, ShakingKind};
+use crate::modal::decay::decays_in;
 use crate::numeric::inner;
 use crate::signal::{Record, leave_out};
 
@@ -67,6 +69,7 @@ pub fn earthquake_in(record: &Record, inputs: &[usize]) -> Option<Shaking> {
 /// s_(k+4) / s_k ≥ 3.5                 within two seconds; not required for s_k ≥ 100, or for 0.1 m/s² or 5 mm/s in more than a few lines
 /// not: all channels have their peak within 2 s, none grows again by 3, all power in a few lines     a released rope, a hammer
 /// not: all channels have their peak within 0.3 s                                                     the same with beating close modes
+/// not: modes that decay from the beginning of each blow explain 90 % of its motion                    one hammer blow, or several
 /// 1.5 to 300 s between 5 % and 95 % of the energy; 0.02 m/s² or 1 mm/s at least
 /// ```
 /// If one such motion is found, all other motions with s_k ≥ 11 that are long enough are returned too, even with a gradual onset, because a record of
@@ -154,7 +157,8 @@ fn motions_in(record: &Record, inputs: &[usize], lost_s: &[[f64; 2]]) -> Vec<Sha
     while windows.len() < MOTIONS_MOST
         && let Some(motion) = levels.motion(&windows, SCORE_LEAST)
     {
-        all.extend(features(record, &levels, inputs, &motion).filter(lasts));
+        let found = features(record, &levels, inputs, &motion).filter(lasts);
+        all.extend(found.filter(|of| !is_free(record, &of.shaking)));
         windows.push(motion.windows);
     }
     if !all.iter().any(is_earthquake) {
@@ -187,10 +191,21 @@ fn lasts(found: &Features) -> bool {
     (STRONG_LEAST_S..=STRONG_MOST_S).contains(&(of.strong_to_s - of.strong_from_s)) && !decays && !is_weak
 }
 
+/// Whether free decays make up the motion: a blow ends at once, and an earthquake goes on moving the structure.
+fn is_free(record: &Record, of: &Shaking) -> bool {
+    let part = part_of(record, [of.arrival_s, of.end_s]);
+    part.is_some_and(|part| decays_in(&part).is_some())
+}
+
 /// Whether it has low frequencies that traffic does not excite, or is stronger than traffic.
 fn is_low(found: &Features) -> bool {
     found.low_growth.is_none_or(|growth| growth >= LOW_GROWTH_LEAST)
         || found.peak_m_s2.is_some_and(|peak| peak >= SURE_M_S2)
+}
+
+/// Whether its onset is as sudden as that of an earthquake: wind grows over seconds.
+pub(super) fn is_sudden(of: &Shaking) -> bool {
+    of.growth >= GROWTH_LEAST
 }
 
 /// Whether its onset is as sudden as that of an earthquake, or it is strong enough for a gradual onset.
@@ -199,7 +214,5 @@ fn is_earthquake(found: &Features) -> bool {
     let is_strong = found.peak_m_s2.is_some_and(|peak| peak >= SWELLS_LEAST_M_S2)
         || found.peak_m_s.is_some_and(|peak| peak >= SWELLS_LEAST_M_S);
     let is_short = of.strong_to_s - of.strong_from_s <= SWELLS_MOST_S;
-    of.growth >= GROWTH_LEAST
-        || of.over_noise >= SCORE_SURE
-        || is_strong && is_short && found.in_lines <= IN_LINES_MOST
+    is_sudden(of) || of.over_noise >= SCORE_SURE || is_strong && is_short && found.in_lines <= IN_LINES_MOST
 }

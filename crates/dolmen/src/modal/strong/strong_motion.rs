@@ -1,6 +1,6 @@
 //! Evaluates a record with earthquakes: what the structure did before, during and after them.
 
-use super::detection::{SURE_M_S2, earthquakes_in};
+use super::detection::{SURE_M_S2, earthquakes_in, is_sudden};
 use super::lasting::changes;
 use super::lasting_change::LastingChange;
 use super::losses::Losses;
@@ -188,8 +188,11 @@ pub fn strong_motion(record: &Record, options: &Identify, losses: &Losses) -> Op
             .filter_map(modes)
             .map(|modes| cause((record, losses), shaking, modes))
             .collect();
-        let is_carried = causes.contains(&Cause::Ground) && !causes.contains(&Cause::Force);
-        let is_sure = is_carried || peaks.fold(0.0, f64::max) >= SURE_M_S2;
+        let is_pushed = causes.contains(&Cause::Force);
+        let is_carried = causes.contains(&Cause::Ground) && !is_pushed;
+        // strength alone names no cause: a storm may be as strong, but grows over seconds
+        let is_strong = peaks.fold(0.0, f64::max) >= SURE_M_S2;
+        let is_sure = is_carried || is_strong && is_sudden(shaking) && !is_pushed;
         StrongEvent {
             channels,
             during: during((record, losses), options, shaking, near),
