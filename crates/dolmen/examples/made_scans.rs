@@ -1,6 +1,6 @@
 //! Made scans against the exact solids: towers of boxes and frusta as meshes with noise, first motion of both.
 //!
-//! `cargo run --release -p dolmen --example made_scans [TOWERS]` prints a row for each noise: towers, those answered, the
+//! `cargo run --release -p dolmen --example made_scans [TOWERS [NOISE_MM]]` prints a row for each noise: towers, those answered, the
 //! largest difference of first motion and how many differ by more than 2 %, and the refusals.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
@@ -140,8 +140,10 @@ fn tower(draws: &mut Draws, edge_m: f64, noise_m: f64) -> (Result<f64, String>, 
 
 fn main() {
     let towers = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(40);
+    let only: Option<f64> = std::env::args().nth(2).and_then(|mm| mm.parse().ok());
     println!("noise_mm,edge_mm,towers,answered,largest_difference_percent,above_2_percent");
-    for noise_mm in [0.0, 0.01, 0.1, 1.0, 2.0] {
+    let noises = [0.0, 0.01, 0.1, 1.0, 2.0].into_iter();
+    for noise_mm in noises.filter(|mm| only.is_none_or(|only| only == *mm)) {
         for edge_mm in [10.0, 25.0, 50.0, 1000.0] {
             let mut draws = Draws(0x9e37_79b9_7f4a_7c15);
             let (mut answered, mut largest, mut wrong) = (0, 0.0_f64, 0);
