@@ -159,12 +159,12 @@ fn leave_out_what_follows(faults: &mut Vec<Fault>) {
 }
 
 impl Fault {
-    /// Whether its value seems to be in another unit.
+    /// Whether its value seems to be in another unit, or in one of two.
     pub(super) fn asks_for(&self, unit: &str) -> bool {
         let help = self.help.as_ref().map_or("", |help| help.english.as_str());
         let meant = help.strip_prefix("did you mean ");
-        let meant = meant.and_then(|rest| rest.strip_prefix(unit));
-        meant.is_some_and(|rest| rest.starts_with('?'))
+        let meant = meant.and_then(|rest| Some(rest.split_once('?')?.0));
+        meant.is_some_and(|meant| meant.split(" or ").any(|one| one == unit))
     }
 
     pub(super) fn new(span: Range<usize>, path: &str, message: impl Into<Both>) -> Self {

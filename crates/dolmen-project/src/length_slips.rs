@@ -32,12 +32,16 @@ pub(super) fn one_for_all(reader: &mut Reader, text: &str, structure: &Structure
     let mut asked: BTreeMap<&str, usize> = BTreeMap::new();
     let mut slips = 0;
     for fault in &reader.faults {
+        if !bare.contains(&fault.path.as_str()) {
+            continue;
+        }
         let meant = UNITS
             .into_iter()
-            .find(|meant| fault.asks_for(meant) && *meant != unit);
-        if let Some(meant) = meant.filter(|_| bare.contains(&fault.path.as_str())) {
-            *asked.entry(meant).or_default() += 1;
-            slips += 1;
+            .filter(|meant| fault.asks_for(meant) && *meant != unit);
+        let meant: Vec<&str> = meant.collect();
+        slips += usize::from(!meant.is_empty());
+        for one in meant {
+            *asked.entry(one).or_default() += 1;
         }
     }
     let Some((meant, votes)) = asked.into_iter().max_by_key(|(_, votes)| *votes) else {

@@ -53,7 +53,7 @@ fn published_the_korean_case_is_printed_with_every_number_on_the_way() {
         "0.7480",
         "0.333",
         "0.312",
-        "what stands on 'block",
+        "what stands on block",
         "demand; above demand at least 1.25, near 1 to 1.25, below less than 1.",
         "the year 2018 of the edition and the vertical",
         "below demand",

@@ -79,7 +79,9 @@ fn findings(answer: &ScanAnswer) -> Vec<Block<'static>> {
     }
     // a stone alone between two beds has no letter
     let pieces = answer.stones.iter().map(|stone| stone.name.as_str());
-    let pieces: Vec<&str> = pieces.filter(|name| name.ends_with(char::is_alphabetic)).collect();
+    let pieces: Vec<&str> = pieces
+        .filter(|name| name.ends_with(char::is_alphabetic))
+        .collect();
     if !pieces.is_empty() {
         all.push(Block::Warning(Scanned::Pieces(pieces.join(", ")).into()));
     }

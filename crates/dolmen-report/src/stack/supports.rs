@@ -111,7 +111,7 @@ pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         None => Supports::NoHinges,
     };
     all.push(Finding::new(Tone::Plain, begins));
-    all.extend(jumps(&answer.stack, supports));
+    all.extend(jump(&answer.stack, supports));
     if slips(&answer.stack, supports) {
         let slip = millimetres(supports.last.slip_m);
         all.push(Finding::qualifies(Tone::Warn, Supports::Slips { slip }));
@@ -119,10 +119,12 @@ pub(super) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     all
 }
 
-/// The largest jump.
-fn jumps(stack: &Stack, supports: &MovedSupports) -> Option<Finding> {
+/// The largest jump; part of a short answer if it comes before the movement that a stable stack needs.
+fn jump(stack: &Stack, supports: &MovedSupports) -> Option<Finding> {
     let by_turn = |a: &&SupportJump, b: &&SupportJump| a.turned_rad.total_cmp(&b.turned_rad);
-    let largest = supports.jumps.iter().max_by(by_turn)?;
+    let is_early = |jump: &&SupportJump| jump.factor < MovedSupports::MARGINAL_BELOW;
+    let early = supports.jumps.iter().filter(is_early).max_by(by_turn);
+    let largest = early.or_else(|| supports.jumps.iter().max_by(by_turn))?;
     let said = Supports::Jumps {
         length: millimetres(largest.factor * largest_m(stack)),
         moved: millimetres(largest.moved_m),
@@ -132,7 +134,10 @@ fn jumps(stack: &Stack, supports: &MovedSupports) -> Option<Finding> {
             Digits::Significant(DIGITS),
         ),
     };
-    Some(Finding::qualifies(Tone::Warn, said))
+    Some(match early {
+        Some(_) => Finding::qualifies(Tone::Warn, said),
+        None => Finding::new(Tone::Plain, said),
+    })
 }
 
 /// The largest of the given movements, m.

@@ -185,7 +185,12 @@ fn followed(voussoirs: u32, thickness_m: f64, movement_m: [f64; 3]) -> MovedSupp
     let stack = round_arch(voussoirs, thickness_m)
         .with_support_movement(movement)
         .unwrap();
-    let found = follow_support_movement(&stack, &SupportMovementOptions::default()).unwrap();
+    // the thicker arch falls beyond the default
+    let options = SupportMovementOptions {
+        movement_most: 0.5,
+        ..SupportMovementOptions::default()
+    };
+    let found = follow_support_movement(&stack, &options).unwrap();
     assert!(found.residual < 1e-7, "{}", found.residual);
     found
 }
@@ -226,7 +231,13 @@ fn agrees_span_at_collapse_of_spreading_arches() {
 /// HiGHS; finite rotations in steps of 2 mm; a jump of more than 0.05 rad counts as collapse there, so loads with such a jump are left out).
 #[test]
 fn agrees_span_at_collapse_beyond_hinges_that_change_their_joints() {
-    for (load_kn, exact) in [(10.0, 0.386), (12.0, 0.346), (25.0, 0.286), (30.0, 0.226), (40.0, 0.150)] {
+    for (load_kn, exact) in [
+        (10.0, 0.386),
+        (12.0, 0.346),
+        (25.0, 0.286),
+        (30.0, 0.226),
+        (40.0, 0.150),
+    ] {
         let blocks = arch(&ArchFactors {
             span_m: 5.0,
             rise_m: 1.25,
@@ -257,7 +268,10 @@ fn agrees_span_at_collapse_beyond_hinges_that_change_their_joints() {
         let found = follow_support_movement(&stack, &SupportMovementOptions::default()).unwrap();
         assert!(matches!(found.ending, MovementEnding::Falls { .. }), "{load_kn}");
         let spread = 0.06 * found.last.factor;
-        assert!((spread / exact - 1.0).abs() < 0.02, "{load_kn} kN: {spread} {exact}");
+        assert!(
+            (spread / exact - 1.0).abs() < 0.02,
+            "{load_kn} kN: {spread} {exact}"
+        );
     }
 }
 

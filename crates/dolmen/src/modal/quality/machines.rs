@@ -52,7 +52,8 @@ pub(crate) fn split_tones(
         let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
         let is_sine = (looks_steady || 0.5 * width_hz / mode.frequency_hz < USUAL_LEAST)
             && lines.test(&mode).is_some_and(|line| line.is_sine());
-        let width_hz = match is_sine {
+        // the width of a steady line does not come from averaging
+        let width_hz = match is_sine || looks_steady {
             true => width_hz,
             false => averaged.width_hz(mode.frequency_hz, width_hz),
         };

@@ -543,7 +543,12 @@ mod tests {
         }
         let movement = SupportMovement { block: 1, movement_m };
         let stack = stack.with_support_movement(movement).unwrap();
-        follow_support_movement(&stack, &SupportMovementOptions::default()).unwrap()
+        // it falls at a sixth of its size
+        let options = SupportMovementOptions {
+            movement_most: 0.5,
+            ..SupportMovementOptions::default()
+        };
+        follow_support_movement(&stack, &options).unwrap()
     }
 
     #[test]
