@@ -66,6 +66,13 @@ pub enum MeshError {
     },
     /// The file exceeds a limit of the reader.
     Limit(LimitError),
+    /// More triangles than can be cut in reasonable time.
+    Triangles {
+        /// Number of triangles.
+        found: usize,
+        /// The limit.
+        most: usize,
+    },
     /// A small file would need much memory.
     Expands {
         /// Bytes of the file.

@@ -3,7 +3,7 @@
 //! The header lists elements in the order of the body, each with its properties; everything except vertex positions and face
 //! lists is ignored.
 
-use super::mesh::{CORNERS_MOST, number, words};
+use super::mesh::{CORNERS_MOST, number, refuse_triangles, words};
 use super::{Mesh, MeshError};
 use crate::limits::line_end;
 use crate::wrong::OfMesh;
@@ -100,6 +100,10 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 what: OfMesh::NoCoordinates.into(),
             });
         }
+        // a head may state more than its file can hold
+        if is_face && element.count <= bytes.len() {
+            refuse_triangles(element.count)?;
+        }
         if element.properties.is_empty() {
             continue;
         }
@@ -119,7 +123,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
                         });
                     }
                     mesh.push_polygon(&corners(&values, vertices, at)?);
-                    mesh.refuse_expansion(bytes.len())?;
+                    mesh.refuse_growth(bytes.len())?;
                 }
             }
             body.end_line()?;

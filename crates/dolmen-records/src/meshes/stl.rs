@@ -3,7 +3,7 @@
 //! Binary layout, little endian: 80 bytes of comment, number of triangles (u32), then 50 bytes each: normal and three
 //! corners (12 × f32), attribute (u16).
 
-use super::mesh::{Merging, number, words};
+use super::mesh::{Merging, number, refuse_triangles, words};
 use super::{Mesh, MeshError};
 use crate::limits::line_end;
 use crate::wrong::OfMesh;
@@ -42,6 +42,7 @@ pub fn read_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
 /// The triangles of a binary file; corners with identical coordinates are merged.
 fn binary(bytes: &[u8], expected: u64) -> Result<Mesh, MeshError> {
     let mut merging = Merging::default();
+    refuse_triangles((expected as usize).saturating_sub(HEAD) / TRIANGLE)?;
     let end = usize::try_from(expected).unwrap_or(bytes.len());
     for (number, record) in bytes[HEAD..end].chunks_exact(TRIANGLE).enumerate() {
         let value = |at: usize| {

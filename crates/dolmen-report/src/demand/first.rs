@@ -1,5 +1,6 @@
 //! First failure of a stack on elastic joints.
 
+use crate::stack::place;
 use dolmen::assess::demand::ModalRatio;
 use dolmen::stability::stack::LimitKind;
 use dolmen_words::{Sentence, messages};
@@ -19,8 +20,6 @@ messages! {
             en: "stones that share their load move first, with the largest forces on all at once",
             ko: "모든 돌에 최대 하중이 동시에 작용할 때 하중을 나누어 받는 돌이 먼저 움직인다",
         },
-        Ground => { en: "the ground", ko: "지반" },
-        Named(name: String) => { en: "{name}", ko: "{name}" },
     }
 }
 
@@ -29,12 +28,7 @@ pub(super) fn first(by_modes: &ModalRatio) -> Sentence {
     let Some((kind, above)) = &by_modes.first else {
         return First::Shared.into();
     };
-    let below = match above.as_str() {
-        "the ground" => First::Ground,
-        // the engine quotes the blocks of a file
-        name => First::Named(name.trim_matches('\'').to_owned()),
-    }
-    .into();
+    let below = place(above);
     match kind {
         LimitKind::Uplift => First::Tips(below),
         LimitKind::Sliding => First::Slides(below),

@@ -26,7 +26,7 @@ pub(crate) use notes::widest;
 pub(crate) use supports::movements;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
-pub(crate) use words::{direction, megapascals};
+pub(crate) use words::{direction, megapascals, place};
 
 use crate::document::{Document, Figure};
 use crate::figures::{

@@ -155,15 +155,10 @@ fn tone(supports: &MovedSupports) -> Tone {
     match (supports.ending, &supports.given) {
         (MovementEnding::Falls { .. }, None) => Tone::Bad,
         (MovementEnding::NotFollowed, _) | (_, None) => Tone::Unknown,
-        (MovementEnding::Falls { .. }, _) if is_near(supports) => Tone::Warn,
-        (MovementEnding::Stands, _) if is_near(supports) => Tone::Unknown,
+        (MovementEnding::Falls { .. }, _) if supports.is_near() => Tone::Warn,
+        (MovementEnding::Stands, _) if supports.is_near() => Tone::Unknown,
         _ => Tone::Good,
     }
-}
-
-/// Whether the largest movement in which it stood is less than a stable stack needs.
-fn is_near(supports: &MovedSupports) -> bool {
-    supports.last.factor < MovedSupports::MARGINAL_BELOW
 }
 
 fn said(stack: &Stack, supports: &MovedSupports) -> Supports {
@@ -180,7 +175,7 @@ fn said(stack: &Stack, supports: &MovedSupports) -> Supports {
             factor,
             length,
         },
-        (MovementEnding::Stands, _) if is_near(supports) => Supports::StandsNear {
+        (MovementEnding::Stands, _) if supports.is_near() => Supports::StandsNear {
             movements,
             factor,
             length,

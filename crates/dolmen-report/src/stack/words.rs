@@ -94,7 +94,7 @@ pub(super) fn margin(margin: Option<f64>) -> Sentence {
 const NAMES_MANY: usize = 3;
 
 /// Name of a joint: that of the part below it; of many stones the first one and the number of others.
-pub(super) fn place(above: &str) -> Sentence {
+pub(crate) fn place(above: &str) -> Sentence {
     let name = above.replace('\'', "");
     let all: Vec<&str> = name.split(", ").collect();
     if let [first, more @ ..] = all.as_slice()

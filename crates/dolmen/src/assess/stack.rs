@@ -350,12 +350,11 @@ pub(super) fn with_movement(verdict: Verdict, supports: Option<&MovedSupports>) 
         Verdict::Unstable => Verdict::Unstable,
         verdict => verdict.max(other),
     };
-    let is_near = supports.last.factor < MovedSupports::MARGINAL_BELOW;
     match (supports.ending, &supports.given) {
         (MovementEnding::Falls { .. }, None) => Verdict::Unstable,
         (_, None) => at_least(Verdict::Unknown),
-        (MovementEnding::Falls { .. }, Some(_)) if is_near => at_least(Verdict::Marginal),
-        (MovementEnding::Stands, Some(_)) if is_near => at_least(Verdict::Unknown),
+        (MovementEnding::Falls { .. }, Some(_)) if supports.is_near() => at_least(Verdict::Marginal),
+        (MovementEnding::Stands, Some(_)) if supports.is_near() => at_least(Verdict::Unknown),
         _ => verdict,
     }
 }

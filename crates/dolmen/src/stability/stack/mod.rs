@@ -29,6 +29,8 @@ mod loads;
 mod local_mechanism;
 mod mechanism;
 mod moved_contacts;
+mod moved_supports;
+mod movement_path;
 mod movement_programme;
 mod on_soil;
 mod part;
@@ -70,6 +72,9 @@ pub use load_factor::{LoadFactor, SteadyLoads, growth, load_factor};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use local_mechanism::{LocalMechanism, RigidPart, local_mechanism, local_mechanisms};
 pub use mechanism::{JointMotion, Mechanism, MovingJoint};
+pub use moved_supports::{
+    MovedStack, MovedSupports, MovementEnding, SupportJump, SupportMovementOptions, SupportReaction,
+};
 pub(crate) use on_soil::{OnSoil, turned_at_rest};
 pub use pressure::{JointPressure, no_tension_pressure};
 pub use resistance::Resistance;
@@ -80,10 +85,7 @@ pub use rocking::{
 pub use stack_limits::stack_limits;
 pub use stack_limits_options::StackLimits;
 pub use standing::Standing;
-pub use support_movement::{
-    MovedStack, MovedSupports, MovementEnding, SupportJump, SupportMovementOptions, SupportReaction,
-    follow_support_movement,
-};
+pub use support_movement::follow_support_movement;
 pub use threshold::Threshold;
 pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};
 pub(crate) use toe::{beyond, toe};
