@@ -48,7 +48,7 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
                     });
                 }
                 mesh.push_polygon(&corners);
-                mesh.refuse_growth(bytes.len())?;
+                mesh.refuse_expansion(bytes.len())?;
             }
             _ => {}
         }

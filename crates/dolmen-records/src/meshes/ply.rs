@@ -123,7 +123,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
                         });
                     }
                     mesh.push_polygon(&corners(&values, vertices, at)?);
-                    mesh.refuse_growth(bytes.len())?;
+                    mesh.refuse_expansion(bytes.len())?;
                 }
             }
             body.end_line()?;

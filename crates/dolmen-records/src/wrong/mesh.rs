@@ -44,8 +44,8 @@ sentences! {
             ko: "{offset}바이트: {what}",
         },
         Triangles { found, most } => {
-            en: "the mesh has {found} triangles or more, but at most {most} are cut into stones: decimate it, for example in MeshLab or CloudCompare; edges of 10 mm show a bed as well",
-            ko: "메시의 삼각형이 {found}개 이상인데 최대 {most}개까지 석재로 자른다. MeshLab이나 CloudCompare 등에서 줄인다(decimate). 변 길이 10 mm로도 접합면을 똑같이 찾는다",
+            en: "the mesh has {found} triangles, but at most {most} are cut into stones: decimate it, for example in MeshLab or CloudCompare; edges of 10 mm show a bed as well",
+            ko: "메시의 삼각형이 {found}개인데 최대 {most}개까지 석재로 자른다. MeshLab이나 CloudCompare 등에서 줄인다(decimate). 변 길이 10 mm로도 접합면을 똑같이 찾는다",
         },
         Expands { bytes, held, most } => {
             en: "the file of {bytes} bytes holds a mesh of {held}, but at most {most} are read of it: it is damaged; export it again with triangles",
