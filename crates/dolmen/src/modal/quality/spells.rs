@@ -19,6 +19,17 @@ const BESIDE: RangeInclusive<usize> = 4..=12;
 /// Least ratio of a mode to its surroundings. Chosen on the development seeds of `unkind_modes`: the lowest of 271 modes has 2.7; 36 of 38
 /// lines from footsteps have less than 1.7.
 const STANDS_OUT: f64 = 2.0;
+/// Windows for spells much shorter than the memory of a narrow line, as a share of it, and the largest p/q in quiet times, over that of the whole
+/// record, at which such a line is in spells. In short windows the strength of a mode varies too, but on the development seeds of `unkind_modes`
+/// none of 2201 modes had both p/q < 2 and less than 0.11 of the whole.
+const SHORT: f64 = 0.125;
+const UNEVEN: f64 = 0.1;
+/// The same for what stands at a multiple or a part of a line in spells, as other lines of the same steps do. Our choice.
+const STEPS_STAND_OUT: f64 = 5.0;
+const STEPS_UNEVEN: f64 = 0.3;
+/// Multiples of one frequency at which steps have lines, and the largest distance from them, relative to the frequency: steps vary. Our choice.
+const STEP_MULTIPLES: usize = 4;
+const STEP_WITHIN: f64 = 0.01;
 
 /// Removes modes that are visible only in some periods, and names them. Footsteps and other repeated impacts cause spectral lines that a
 /// subspace method takes for modes.
@@ -27,11 +38,25 @@ pub(crate) fn leave_out_spells(record: &Record, modes: &mut Modes, notes: &mut V
         return;
     }
     let mut left: Vec<InSpells> = Vec::new();
-    modes.modes.retain(|mode| {
-        let spells = in_spells(record, mode);
-        left.extend(spells);
-        spells.is_none()
+    let mut kept: Vec<(Mode, Quiet)> = Vec::new();
+    for mode in modes.modes.drain(..) {
+        let quiet = Quiet::of(record, &mode);
+        match quiet.in_spells() {
+            Some(found) => left.push(found.named(&mode)),
+            None => kept.push((mode, quiet)),
+        }
+    }
+    let of_notes = notes.iter().flat_map(|note| match note {
+        Note::InSpells { modes } => &modes[..],
+        _ => &[],
     });
+    let steps_hz: Vec<f64> = left.iter().chain(of_notes).map(|of| of.frequency_hz).collect();
+    for (mode, quiet) in kept {
+        match quiet.of_steps(mode.frequency_hz, &steps_hz) {
+            Some(found) => left.push(found.named(&mode)),
+            None => modes.modes.push(mode),
+        }
+    }
     note_spells(left, notes);
 }
 
@@ -60,42 +85,122 @@ pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
     notes.push(Note::InSpells { modes: all });
 }
 
-/// Result for a mode that exceeds its surroundings only in some periods.
-///
-/// ```text
-/// p/q < 2   in the half of the windows in which the structure moves least,
-///           or of each line in the half in which it is weakest (spells much shorter than the record),
-///           or in the third whose neighbours, two windows before and after, are weakest at this line (spells as long as the rest)
-/// ```
-/// The length of a window is the decay time of the mode, 1/(ζf), but at most an eighth of the record.
+/// Result for a peak that exceeds its surroundings only in some periods.
 ///
 /// # Limits
 /// A mode that is visible only while something passes, and otherwise hidden by noise, is classified as visible only in some periods.
-pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
-    let lines = Lines::of(record, mode)?;
-    let windows = lines.strengths.len();
-    let mut order: Vec<usize> = (0..windows).collect();
-    order.sort_by(|a, b| lines.strengths[*a].total_cmp(&lines.strengths[*b]));
-    let while_still = lines.stands_out(|powers| order[..windows / 2].iter().map(|s| powers[*s]).sum());
-    let beside_weak = {
-        let own = &lines.powers[BESIDE.count()];
-        let around = |s: usize| {
-            let [before, after] = [s.checked_sub(2), Some(s + 2)].map(|at| at.and_then(|at| own.get(at)));
-            before.or(after).copied().unwrap_or(0.0) + after.or(before).copied().unwrap_or(0.0)
+pub(super) fn in_spells(record: &Record, peak: &Mode) -> Option<InSpells> {
+    let found = StandsOut::of(record, peak, remembers_s(record, peak))?;
+    (found.quiet < STANDS_OUT).then(|| found.named(peak))
+}
+
+/// The decay time of a mode, 1/(ζf), but at most an eighth of the record, and long enough to separate the lines beside it.
+fn remembers_s(record: &Record, mode: &Mode) -> f64 {
+    const WINDOWS_LEAST: usize = 15;
+    let decays_s = mode
+        .damping_ratio
+        .map_or(0.0, |zeta| 1.0 / (zeta * mode.frequency_hz));
+    let longest_s = 2.0 * record.duration_s() / (WINDOWS_LEAST + 1) as f64;
+    decays_s.max(separates_s(mode)).min(longest_s)
+}
+
+fn separates_s(mode: &Mode) -> f64 {
+    2.0 * *BESIDE.end() as f64 / mode.frequency_hz
+}
+
+/// How a mode exceeds its surroundings in windows as long as its decay time, and in short ones.
+struct Quiet {
+    own: Option<StandsOut>,
+    short: Option<StandsOut>,
+}
+
+/// p/q in the whole record, and in its quiet parts.
+///
+/// ```text
+/// quiet: the least of p/q   in the half of the windows in which the structure moves least,
+///                           of each line in the half in which it is weakest (spells much shorter than the record), and
+///                           in the third whose neighbours, two windows before and after, are weakest at this line (spells as long as the rest)
+/// ```
+#[derive(Clone, Copy)]
+struct StandsOut {
+    whole: f64,
+    quiet: f64,
+}
+
+impl Quiet {
+    fn of(record: &Record, mode: &Mode) -> Quiet {
+        let own_s = remembers_s(record, mode);
+        let short_s = (SHORT * own_s).max(separates_s(mode));
+        let of = |length_s: f64| StandsOut::of(record, mode, length_s);
+        Quiet {
+            own: of(own_s),
+            short: (short_s < own_s).then(|| of(short_s)).flatten(),
+        }
+    }
+
+    /// What shows that the mode is visible only in some periods.
+    fn in_spells(&self) -> Option<StandsOut> {
+        let own = self.own.filter(|of| of.quiet < STANDS_OUT);
+        let is_short = |of: &StandsOut| of.quiet < STANDS_OUT.min(UNEVEN * of.whole);
+        own.or(self.short.filter(is_short))
+    }
+
+    /// What shows that the mode is a line of the steps that have other lines at `steps_hz`.
+    fn of_steps(&self, mode_hz: f64, steps_hz: &[f64]) -> Option<StandsOut> {
+        let is_uneven = |of: &StandsOut| of.quiet < STEPS_STAND_OUT.min(STEPS_UNEVEN * of.whole);
+        let found = self.own.into_iter().chain(self.short).find(is_uneven)?;
+        steps_hz
+            .iter()
+            .any(|of| are_of_one(mode_hz, *of))
+            .then_some(found)
+    }
+}
+
+impl StandsOut {
+    /// `None` if the record is too short, or if the lines are outside its frequency band.
+    fn of(record: &Record, mode: &Mode, length_s: f64) -> Option<StandsOut> {
+        let lines = Lines::of(record, mode, length_s)?;
+        let windows = lines.strengths.len();
+        let mut order: Vec<usize> = (0..windows).collect();
+        order.sort_by(|a, b| lines.strengths[*a].total_cmp(&lines.strengths[*b]));
+        let while_still = lines.stands_out(|powers| order[..windows / 2].iter().map(|s| powers[*s]).sum());
+        let beside_weak = {
+            let own = &lines.powers[BESIDE.count()];
+            let around = |s: usize| {
+                let [before, after] = [s.checked_sub(2), Some(s + 2)].map(|at| at.and_then(|at| own.get(at)));
+                before.or(after).copied().unwrap_or(0.0) + after.or(before).copied().unwrap_or(0.0)
+            };
+            order.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
+            lines.stands_out(|powers| order[..windows / 3].iter().map(|s| powers[*s]).sum())
         };
-        order.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
-        lines.stands_out(|powers| order[..windows / 3].iter().map(|s| powers[*s]).sum())
-    };
-    let at_their_weakest = lines.stands_out(|powers| {
-        let mut sorted = powers.to_vec();
-        sorted.sort_by(f64::total_cmp);
-        sorted[..windows / 2].iter().sum()
-    });
-    let stands_out_quiet = while_still.min(at_their_weakest).min(beside_weak);
-    (stands_out_quiet < STANDS_OUT).then(|| InSpells {
-        frequency_hz: mode.frequency_hz,
-        stands_out: lines.stands_out(|powers| powers.iter().sum()),
-        stands_out_quiet,
+        let at_their_weakest = lines.stands_out(|powers| {
+            let mut sorted = powers.to_vec();
+            sorted.sort_by(f64::total_cmp);
+            sorted[..windows / 2].iter().sum()
+        });
+        Some(StandsOut {
+            whole: lines.stands_out(|powers| powers.iter().sum()),
+            quiet: while_still.min(at_their_weakest).min(beside_weak),
+        })
+    }
+
+    fn named(&self, mode: &Mode) -> InSpells {
+        InSpells {
+            frequency_hz: mode.frequency_hz,
+            stands_out: self.whole,
+            stands_out_quiet: self.quiet,
+        }
+    }
+}
+
+/// Whether two different frequencies are multiples of one.
+fn are_of_one(a_hz: f64, b_hz: f64) -> bool {
+    let multiples = 1..=STEP_MULTIPLES;
+    multiples.clone().any(|m| {
+        multiples.clone().any(|n| {
+            let ratio = a_hz * n as f64 / (b_hz * m as f64);
+            m != n && (ratio - 1.0).abs() < STEP_WITHIN
+        })
     })
 }
 
@@ -108,15 +213,11 @@ struct Lines {
 }
 
 impl Lines {
-    /// `None` if the record is too short, or if the lines are outside its frequency band.
-    fn of(record: &Record, mode: &Mode) -> Option<Lines> {
-        const WINDOWS_LEAST: usize = 15;
+    fn of(record: &Record, mode: &Mode, length_s: f64) -> Option<Lines> {
         const NYQUIST_SHARE: f64 = 0.96;
         let (rate_hz, n, f) = (record.sampling_rate_hz(), record.length(), mode.frequency_hz);
         let reach = *BESIDE.end() as f64;
-        let remembers_s = mode.damping_ratio.map_or(0.0, |zeta| 1.0 / (zeta * f));
-        let length = (remembers_s.max(2.0 * reach / f) * rate_hz) as usize;
-        let length = length.min(2 * n / (WINDOWS_LEAST + 1));
+        let length = (length_s * rate_hz) as usize;
         let line_hz = rate_hz / length as f64;
         if f < (reach + 2.0) * line_hz || f + reach * line_hz > 0.5 * NYQUIST_SHARE * rate_hz {
             return None;
