@@ -30,7 +30,7 @@ const GAIN_LEAST: f64 = 30.0;
 const STRICT_GAIN_LEAST: f64 = 15.0;
 /// Least ratio of a mode at a sine to the surrounding noise, and least width of the mode in lines; below these limits there is no mode.
 const MODE_OVER_NOISE: f64 = 10.0;
-const MODE_WIDE: f64 = 4.0;
+pub(super) const MODE_WIDE: f64 = 4.0;
 
 /// Result of the finest spectral lines for a peak or mode.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::averaged::AveragedWidths;
 use super::harmonics::{GAUSSIAN, Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
-use super::lines::{FineLines, LineTest, seeing_most};
+use super::lines::{FineLines, LineTest, MODE_WIDE, seeing_most};
 use super::remarks::{USUAL_LEAST, explained};
 use super::spells::{in_spells, note_spells};
 use super::wander::{Wander, wander};
@@ -138,7 +138,7 @@ struct RemovedPeak {
 }
 
 /// Names the sines at modes and at unexplained peaks of the spectrum where a mode remains without the sine. A mode of which nothing remains, and whose
-/// amplitude is as steady as that of a sine, is a machine and left out.
+/// amplitude is as steady as that of a sine or whose width the lines would show, is a machine and left out.
 pub(crate) fn note_tones_on_modes(
     record: &Record,
     (modes, peaks): (&mut Modes, &Modes),
@@ -148,7 +148,8 @@ pub(crate) fn note_tones_on_modes(
         return;
     }
     let mut lines = FineLines::new(record);
-    let far_hz = 0.5 / record.duration_s();
+    let line_hz = 1.0 / record.duration_s();
+    let far_hz = 0.5 * line_hz;
     let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &modes.modes));
     let (mut tones, mut machines): (Vec<ToneOnMode>, Vec<Tone>) = (Vec::new(), Vec::new());
     for mode in modes.modes.iter().chain(unexplained) {
@@ -163,7 +164,7 @@ pub(crate) fn note_tones_on_modes(
                 mode_hz: mode.frequency_hz,
                 strength: line.strength,
             });
-        } else if is_here && mode.is_found() && mode.kurtosis.is_some_and(|of| of.kurtosis < STEADY_MOST) {
+        } else if is_here && mode.is_found() && (is_steady(mode) || is_alone(mode, &line, line_hz)) {
             machines.push(Tone {
                 frequency_hz: mode.frequency_hz,
                 width_hz: 2.0 * mode.damping_ratio.unwrap_or(0.0) * mode.frequency_hz,
@@ -186,6 +187,17 @@ pub(crate) fn note_tones_on_modes(
         }
         notes.push(Note::TonesOnModes { tones });
     }
+}
+
+fn is_steady(mode: &Mode) -> bool {
+    mode.kurtosis.is_some_and(|of| of.kurtosis < STEADY_MOST)
+}
+
+/// Whether nothing remains of a mode without the sine within its bandwidth, though the lines would show a mode of its width.
+fn is_alone(mode: &Mode, line: &LineTest, line_hz: f64) -> bool {
+    let half_width_hz = mode.damping_ratio.unwrap_or(0.0) * mode.frequency_hz;
+    let is_on_it = (line.frequency_hz - mode.frequency_hz).abs() <= half_width_hz;
+    !line.mode_remains && is_on_it && half_width_hz >= MODE_WIDE * line_hz
 }
 
 /// Whether a sine makes the damping ratio of its mode too low by more than the 95 % interval: the ratio is about that of a motion of which the share
