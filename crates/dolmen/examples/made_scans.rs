@@ -1,13 +1,17 @@
 //! Made scans against the exact solids: towers of boxes and frusta as meshes with noise, first motion of both.
 //!
-//! `cargo run --release -p dolmen --example made_scans [TOWERS [NOISE_MM]]` prints a row for each noise: towers, those answered, the
-//! largest difference of first motion and how many differ by more than 2 %, and the refusals.
+//! `cargo run --release -p dolmen --example made_scans [TOWERS [NOISE_MM [EDGE_MM]]]` prints a row for each noise and edge: towers, those answered, the
+//! largest difference of first motion, how many differ by more than 2 %, how many answers say what an error of the corners of their beds would change,
+//! and how many of these differ by at most twice as much; and the refusals.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
 
-use dolmen::assess::{StackCheckOptions, check_stack};
+use dolmen::assess::{StackCheckOptions, StackNote, check_stack};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 use std::collections::BTreeMap;
+
+/// Number of refusals that are printed for each row.
+const REFUSALS: usize = 4;
 
 /// A small generator of random numbers (xorshift), so that rows repeat.
 struct Draws(u64);
@@ -88,14 +92,27 @@ fn scan(
     Solid::mesh(&vertices, &triangles).map_err(|why| why.to_string())
 }
 
-fn first_motion(blocks: Vec<Block>) -> Result<f64, String> {
+/// The first motion of a tower, over gravity, and its relative change if the corners of its beds are 1 m off, where only these are known.
+struct Motion {
+    acceleration_g: f64,
+    change_per_m: Option<f64>,
+}
+
+fn first_motion(blocks: Vec<Block>) -> Result<Motion, String> {
     let stack = Stack::new(blocks, JointMaterial::default(), 9.80665).map_err(|why| why.to_string())?;
     let check = check_stack(&stack, &StackCheckOptions::default()).map_err(|why| why.to_string())?;
     let governing = check.limits.governing.ok_or("no limit")?;
-    Ok(governing.threshold.acceleration_g)
+    let change_per_m = check.notes.iter().find_map(|note| match note {
+        StackNote::OnlyCorners { off_m, change, .. } => Some(change / off_m),
+        _ => None,
+    });
+    Ok(Motion {
+        acceleration_g: governing.threshold.acceleration_g,
+        change_per_m,
+    })
 }
 
-fn tower(draws: &mut Draws, edge_m: f64, noise_m: f64) -> (Result<f64, String>, Result<f64, String>) {
+fn tower(draws: &mut Draws, edge_m: f64, noise_m: f64) -> [Result<Motion, String>; 2] {
     let block = |number: usize, solid: Solid| Block {
         name: format!("stone {number}"),
         solid,
@@ -135,38 +152,50 @@ fn tower(draws: &mut Draws, edge_m: f64, noise_m: f64) -> (Result<f64, String>, 
         Some(why) => Err(why),
         None => first_motion(scanned),
     };
-    (first_motion(exact), scanned)
+    [first_motion(exact), scanned]
 }
 
 fn main() {
     let towers = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(40);
     let only: Option<f64> = std::env::args().nth(2).and_then(|mm| mm.parse().ok());
-    println!("noise_mm,edge_mm,towers,answered,largest_difference_percent,above_2_percent");
+    let edge: Option<f64> = std::env::args().nth(3).and_then(|mm| mm.parse().ok());
+    println!(
+        "noise_mm,edge_mm,towers,answered,largest_difference_percent,above_2_percent,only_corners,within_twice"
+    );
     let noises = [0.0, 0.01, 0.1, 1.0, 2.0].into_iter();
     for noise_mm in noises.filter(|mm| only.is_none_or(|only| only == *mm)) {
-        for edge_mm in [10.0, 25.0, 50.0, 1000.0] {
+        for edge_mm in [10.0, 25.0, 50.0, 1000.0]
+            .into_iter()
+            .filter(|mm| edge.is_none_or(|edge| edge == *mm))
+        {
             let mut draws = Draws(0x9e37_79b9_7f4a_7c15);
             let (mut answered, mut largest, mut wrong) = (0, 0.0_f64, 0);
+            let (mut stated, mut within) = (0, 0);
             let mut refusals: BTreeMap<String, usize> = BTreeMap::new();
             for _ in 0..towers {
-                let (exact, found) = tower(&mut draws, 1e-3 * edge_mm, 1e-3 * noise_mm);
-                match (exact, found) {
-                    (Ok(exact), Ok(found)) => {
-                        let off = (found / exact - 1.0).abs();
+                let [exact, found] = tower(&mut draws, 1e-3 * edge_mm, 1e-3 * noise_mm);
+                match [exact, found] {
+                    [Ok(exact), Ok(found)] => {
+                        let off = (found.acceleration_g / exact.acceleration_g - 1.0).abs();
+                        if let Some(change_per_m) = found.change_per_m {
+                            let truth_off = (exact.acceleration_g / found.acceleration_g - 1.0).abs();
+                            stated += 1;
+                            within += usize::from(truth_off <= 2e-3 * noise_mm * change_per_m);
+                        }
                         answered += 1;
                         largest = largest.max(off);
                         wrong += usize::from(off > 0.02);
                     }
-                    (_, Err(why)) | (Err(why), Ok(_)) => {
+                    [_, Err(why)] | [Err(why), Ok(_)] => {
                         *refusals.entry(why.chars().take(200).collect()).or_default() += 1
                     }
                 }
             }
             println!(
-                "{noise_mm},{edge_mm},{towers},{answered},{:.3},{wrong}",
+                "{noise_mm},{edge_mm},{towers},{answered},{:.3},{wrong},{stated},{within}",
                 100.0 * largest
             );
-            for (why, count) in refusals.iter().take(2) {
+            for (why, count) in refusals.iter().take(REFUSALS) {
                 eprintln!("    {count} × {why}");
             }
         }

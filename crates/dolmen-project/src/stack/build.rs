@@ -11,8 +11,8 @@ use super::top::Top;
 use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{
-    BED_GAP_M, Block, Body, Joint, JointMaterial, LostBed, Pagoda, PagodaFactors, PagodaSlenderness,
-    Placement, SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda, without_bed,
+    Block, Body, Joint, JointMaterial, LostBed, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
+    SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda, without_bed,
 };
 
 impl PointsFrame {
@@ -318,12 +318,8 @@ impl StackPart {
             for lower in &part.on {
                 let meets = |joint: &Joint| joint.lower == *lower && joint.upper == upper;
                 if !stack.joints().iter().any(meets) {
-                    return Err(StackFault::Apart {
-                        path: format!("blocks[{}]", upper + 1),
-                        upper: part.name.clone(),
-                        lower: stack.name(*lower).to_owned(),
-                        allowed_m: BED_GAP_M,
-                    });
+                    let path = format!("blocks[{}]", upper + 1);
+                    return Err(StackFault::not_on(path, stack, upper, *lower));
                 }
             }
         }
@@ -377,12 +373,8 @@ impl StackPart {
                     || (Body::Block(contact.upper), contact.lower) == (*lower, Body::Block(*upper))
             };
             if !ends.iter().any(meets) {
-                return Err(StackFault::Apart {
-                    path: format!("contacts[{}]", i + 1),
-                    upper: stack.name(Body::Block(contact.upper)).to_owned(),
-                    lower: stack.name(contact.lower).to_owned(),
-                    allowed_m: BED_GAP_M,
-                });
+                let path = format!("contacts[{}]", i + 1);
+                return Err(StackFault::not_beside(path, &stack, contact.upper, contact.lower));
             }
         }
         Ok(stack)

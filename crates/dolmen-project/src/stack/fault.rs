@@ -2,7 +2,7 @@
 
 use super::part::StackPart;
 use crate::quantity::Quantity;
-use dolmen::structure::stack::StackError;
+use dolmen::structure::stack::{BED_GAP_M, Body, Solid, Stack, StackError};
 
 /// Why a stack cannot be built, and where in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +22,8 @@ pub enum StackFault {
         upper: String,
         /// The block below.
         lower: String,
+        /// Distances from the block below to the upper one along x, y and z, m, positive if the upper one lies on the positive side.
+        apart_m: [f64; 3],
         /// The allowed distance, m.
         allowed_m: f64,
     },
@@ -46,6 +48,29 @@ impl StackFault {
         StackFault::Part { path, why }
     }
 
+    /// One block stands on another, but the two do not touch.
+    pub(super) fn not_on(path: String, stack: &Stack, upper: usize, lower: Body) -> Self {
+        let apart_m = stack.blocks()[upper].solid.above_m(solid(stack, lower));
+        StackFault::apart(path, stack, [lower, Body::Block(upper)], apart_m)
+    }
+
+    /// Two blocks touch on any side by the file, but do not.
+    pub(super) fn not_beside(path: String, stack: &Stack, upper: usize, lower: Body) -> Self {
+        let own = &stack.blocks()[upper].solid;
+        let apart_m = solid(stack, lower).map_or_else(|| own.above_m(None), |lower| own.apart_m(lower));
+        StackFault::apart(path, stack, [lower, Body::Block(upper)], apart_m)
+    }
+
+    fn apart(path: String, stack: &Stack, [lower, upper]: [Body; 2], apart_m: [f64; 3]) -> Self {
+        StackFault::Apart {
+            path,
+            upper: stack.name(upper).to_owned(),
+            lower: stack.name(lower).to_owned(),
+            apart_m,
+            allowed_m: BED_GAP_M,
+        }
+    }
+
     /// Where in the file.
     pub fn path(&self) -> &str {
         match self {
@@ -54,6 +79,14 @@ impl StackFault {
             | StackFault::Twice { path, .. } => path,
             StackFault::Loose => "loose",
         }
+    }
+}
+
+/// The stone; `None` for the ground.
+fn solid(stack: &Stack, body: Body) -> Option<&Solid> {
+    match body {
+        Body::Ground => None,
+        Body::Block(block) => Some(&stack.blocks()[block].solid),
     }
 }
 

@@ -11,9 +11,9 @@ sentences! {
             en: "{path}: {why}",
             ko: "{path}: {why}",
         },
-        Apart { path, upper, lower, allowed_m } as { upper, lower, allowed_m } => {
-            en: "'{upper}' is said to stand on '{lower}', but they do not touch: a bed there must lie within {allowed_m} m of it and be level with it to 5°",
-            ko: "'{upper}'이(가) '{lower}' 위에 놓인다고 하였으나 서로 닿지 않는다. 접합면의 높이 차는 {allowed_m} m, 기울기 차는 5° 이내이어야 한다",
+        Apart { path, upper, lower, apart_m, allowed_m } as { upper, lower, x_m: format!("{:.4}", apart_m[0]), y_m: format!("{:.4}", apart_m[1]), z_m: format!("{:.4}", apart_m[2]), allowed_m } => {
+            en: "'{upper}' is said to stand on '{lower}', but they do not touch: it is {x_m} m along x, {y_m} m along y and {z_m} m along z away from it, and a bed there must lie within {allowed_m} m of it and be level with it to 5°",
+            ko: "'{upper}'이(가) '{lower}' 위에 놓인다고 하였으나 서로 닿지 않는다. x축으로 {x_m} m, y축으로 {y_m} m, z축으로 {z_m} m 떨어져 있다. 접합면의 높이 차는 {allowed_m} m, 기울기 차는 5° 이내이어야 한다",
         },
         Loose {} => {
             en: "the stones are loose (loose = true), and have no joints: only `dolmen check`, `dolmen simulate` and `dolmen report` let them settle; take \"loose\" out for anything else",

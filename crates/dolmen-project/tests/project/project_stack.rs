@@ -77,7 +77,7 @@ fn holds_several_stones_a_storey_carry_one_slab() {
         "on = \"base\", at = [0, -0.9], width = 0.3, height = 0.98",
     );
     let said = r##"
-error: 'slab' is said to stand on 'post c', but they do not touch: a bed there must lie within 0.005 m of it and be level with it to 5°
+error: 'slab' is said to stand on 'post c', but they do not touch: it is 0.0000 m along x, 0.0000 m along y and 0.0200 m along z away from it, and a bed there must lie within 0.005 m of it and be level with it to 5°
   --> project.toml:11:3
    |
  11 |   { name = "slab", on = ["post a", "post b", "post c"], width = 2.4, height = 0.3, offset = [0, -0.3] },
@@ -375,7 +375,7 @@ error: blocks[1].on: 'base' stands, over the blocks below it, on itself
         (
             ("offset = [0.01, 0]", "offset = [4, 0]"),
             r##"
-error: blocks[3]: 'roof' floats: the nearest bed below it, of the ground, is 1.5000 m away, and a bed must lie within 0.005 m
+error: blocks[3]: 'roof' floats: it is 2.2250 m along x, 0.0000 m along y and 0.0000 m along z off the top of body, and 1.5000 m above the ground, and a bed must lie within 0.005 m
   --> project.toml:9:3
    |
  9 |   { name = "roof", width = 2.35, depth = 2.0, height = 0.3, offset = [4, 0] },

@@ -16,6 +16,8 @@ use dolmen_work::state::StackAnswer;
 
 /// Relative difference within which a limit analysis and a cut have the same acceleration. Our choice, far above the accuracy of the analysis.
 const SAME: f64 = 1e-6;
+/// Relative change of the capacity from which the short answer names corners whose exactness cannot be seen. Our choice.
+const CORNERS_COUNT: f64 = 0.01;
 
 messages! {
     /// Findings on a stack.
@@ -134,6 +136,7 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::SliversLeftOut { width_m, .. } if *width_m > GAP_CLOSED_M => {
             Finding::key(Tone::Warn, said)
         }
+        StackNote::OnlyCorners { change, .. } if *change >= CORNERS_COUNT => Finding::key(Tone::Warn, said),
         // what the file gives and the numbers do not count
         StackNote::SideSupportsLeftOut | StackNote::TensionLeftOut | StackNote::TiesLeftOut => {
             Finding::key(Tone::Warn, said)
@@ -148,6 +151,7 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         | StackNote::StrengthFromInside
         | StackNote::KineticLess { .. }
         | StackNote::KineticShared { .. }
+        | StackNote::OnlyCorners { .. }
         | StackNote::PeriodUnknown => Finding::new(Tone::Warn, said),
     }
 }

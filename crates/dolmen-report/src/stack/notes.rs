@@ -117,6 +117,10 @@ messages! {
             en: "“{upper}” does not stand without a contact {width} wide ({lower} – {upper}), and that is narrower than a drawing is accurate (such contacts: {contacts}). The verdict is no better than marginal: measure the bed.",
             ko: "‘{upper}’은(는) 폭 {width}의 접촉({lower} – {upper})이 없으면 서 있지 못하며, 이 폭은 도면의 정확도보다 좁다(이런 접촉 {contacts}곳). 판정은 '여유 부족'을 넘지 않는다. 접합면의 폭을 측정한다.",
         },
+        OnlyCorners { lower: Sentence, upper: String, off: Quantity, change: Quantity } => {
+            en: "The mesh shows only the corners of the bed of '{upper}' on {lower}, so its exactness cannot be seen: if they are {off} off, the acceleration at which it begins to move is up to {change} smaller or larger. Scan this bed more closely, or measure it.",
+            ko: "{lower} 위 '{upper}'의 접합면은 메시에 모서리의 꼭짓점만 있어 그 정확도를 알 수 없다. 꼭짓점이 {off} 어긋나면 거동 시작 가속도가 {change}까지 작거나 크다. 이 접합면을 더 촘촘히 스캔하거나 실측한다.",
+        },
         KineticShared { moves_at: Quantity } => {
             en: "With the kinetic friction in every joint, which a joint that moves once has, it begins to move at {moves_at}.",
             ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 {moves_at}에서 움직이기 시작한다.",
@@ -282,6 +286,17 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
             upper: stack.name(Body::Block(*upper)).to_owned(),
             width: millimetres(*width_m),
             contacts: *contacts,
+        },
+        StackNote::OnlyCorners {
+            lower,
+            upper,
+            off_m,
+            change,
+        } => Notes::OnlyCorners {
+            lower: below(stack.name(*lower)),
+            upper: stack.name(Body::Block(*upper)).to_owned(),
+            off: millimetres(*off_m),
+            change: Quantity::percent(*change, 2),
         },
         StackNote::TiesLeftOut => Notes::NoTies,
         StackNote::PeriodUnknown => Notes::NoPeriod,

@@ -23,7 +23,8 @@ korean_of! {
         StackError::MeshInverted { volume_m3 } => "메시가 뒤집혀 있다. 부피가 {volume_m3:.6} m³이다. 모든 삼각형의 방향을 뒤집는다";
         StackError::MeshOverfull { volume_m3, hull_volume_m3 } => "메시가 스스로를 뚫고 지나간다. 부피 {volume_m3:.6} m³가 볼록 껍질의 {hull_volume_m3:.6} m³보다 크다. 메시를 고친다";
         StackError::MeshHull { filled, allowed } => "석재가 볼록 껍질의 {filled:.1} %만 채운다. 흩어진 석재는 볼록 껍질로 닿으므로 {allowed:.0} % 이상이어야 한다. 볼록한 부분으로 나눈다", filled = 100.0 * filled, allowed = 100.0 * allowed;
-        StackError::MeshUneven { noise_m, volume_m3, .. } => "메시의 표면이 고르지 않다(꼭짓점의 흩어짐 {noise_mm:.2} mm). 평평한 면들이 메시의 부피 {volume_m3:.5} m³를 둘러싸지 못한다. 볼록하지 않거나, 접합면을 찾기에 너무 닳았거나 휘었다. 볼록한 부분으로 나누거나, 접합면을 더 촘촘히 스캔하거나, box, frustum, 점의 입체로 입력한다", noise_mm = 1e3 * noise_m;
+        StackError::MeshBent { at_m, off_m, corners } => "메시의 한 면이 평면을 이루지 않는다. 꼭짓점 {corners}개 중 {at:?}의 점이 나머지의 평면에서 {off_mm:.1} mm 벗어나 있고, 점이 적어 오차가 평균되지 않는다. 이 면을 더 촘촘히 스캔하거나 석재를 box, frustum, 점의 입체로 입력한다", off_mm = 1e3 * off_m, at = at_m.map(|m| (1e4 * m).round() / 1e4);
+        StackError::MeshUneven { noise_m, volume_m3, .. } => "메시의 표면이 고르지 않다({scatter}). 평평한 면들이 메시의 부피 {volume_m3:.5} m³를 둘러싸지 못한다. 볼록하지 않거나, 접합면을 찾기에 너무 닳았거나 휘었다. 볼록한 부분으로 나누거나, 접합면을 더 촘촘히 스캔하거나, box, frustum, 점의 입체로 입력한다", scatter = noise_m.map_or("꼭짓점이 적어 흩어짐을 알 수 없음".to_owned(), |noise_m| format!("꼭짓점의 흩어짐 {:.2} mm", 1e3 * noise_m));
         StackError::JointUsed { upper, lower, used, allowed } => "'{upper}'와(과) '{lower}'의 접합면: 겹치는 면의 {used:.0} %만 평평한데 {allowed:.0} % 이상이어야 한다. 접합면을 더 촘촘히 스캔하거나 석재를 점의 입체로 입력한다", used = 100.0 * used, allowed = 100.0 * allowed, lower = phrase(lower);
         StackError::JointRounded { upper, lower, rounded, radius_m } => "'{lower}' 위의 '{upper}': '{rounded}'이(가) 접합면이 아니라 둥근 면(곡률 반지름 {radius_m:.2} m)으로 닿아 어떤 가속도에서도 구른다. 모르타르에 앉혀 있으면 box, frustum, 점의 입체로 입력하고, 쐐기가 받치면 쐐기도 블록으로 입력한다", lower = phrase(lower);
         StackError::JointFacets { upper, lower, share, allowed } => "'{upper}'와(과) '{lower}'이(가) 여러 면에서 닿는데 가장 큰 면이 접촉 면적의 {share:.0} %이다. {allowed:.0} % 이상이어야 한다. 각 접합면의 점을 1, 0.1 또는 0.01 mm로 반올림해 한 평면에 두거나 단순한 형상으로 입력한다", share = 100.0 * share, allowed = 100.0 * allowed, lower = phrase(lower);
@@ -35,7 +36,7 @@ korean_of! {
         StackError::Material { quantity, given, allowed } => "접합면의 {quantity}이(가) {given}인데 {allowed}이어야 한다", quantity = phrase(quantity), allowed = phrase(allowed);
         StackError::Overlap { first, second, depth_m, allowed_m } => "'{first}'와(과) '{second}'이(가) {depth_m:.4} m 겹치는데 석재는 닿기만 할 수 있다({allowed_m} m 이내). 크기와 위치를 확인한다";
         StackError::BedsNotParallel { block, lower, angle_deg, far_m, allowed_m } => "'{block}'이(가) {lower} 위에 놓이지 않는다. 두 접합면이 평행하지 않고 {angle_deg:.2}° 벌어져 먼 쪽 모서리가 {far_m:.4} m 떠 있다. 접합면의 가운데는 {allowed_m} m 이내이어야 한다. 좌표를 확인하거나 사이의 쐐기를 블록으로 준다", lower = phrase(lower);
-        StackError::Floating { block, nearest, gap_m, allowed_m } => "'{block}'이(가) 떠 있다. 가장 가까운 아래 면({nearest})과 {gap_m:.4} m 떨어져 있는데 {allowed_m} m 이내이어야 한다", nearest = phrase(nearest);
+        StackError::Floating { block, nearest, apart_m: [x_m, y_m, z_m], above_ground_m, allowed_m } => "'{block}'이(가) 떠 있다. {off}지반에서 {above_ground_m:.4} m 위에 있다. 접합면은 {allowed_m} m 이내이어야 한다", off = nearest.as_ref().map_or(String::new(), |stone| format!("{stone}의 윗면에서 x축으로 {x_m:.4} m, y축으로 {y_m:.4} m, z축으로 {z_m:.4} m 떨어져 있고 "));
         StackError::NotOnGround { block, on_ground } => "'{block}' 아래의 지반이 움직인다고 했는데 이 부재는 지반 위에 있지 않다. 지반 위에 있는 부재의 이름을 쓴다({on_ground})", on_ground = on_ground.join(", ");
         StackError::SoilUnderSeveral { count } => "지반(soil)은 기초 하나에 대한 값인데 지반 위의 접합면이 {count}개이다. 모두를 받치는 부재 하나를 두거나 soil을 뺀다";
         StackError::NoBlock { given, last } => "블록 {given}이(가) 없다. 0~{last}번이 있다";

@@ -15,6 +15,7 @@ mod least_motion;
 mod least_pressed;
 mod loads_on_soil;
 mod one_stone;
+mod only_corners;
 mod portfolio;
 mod probability;
 mod risk;

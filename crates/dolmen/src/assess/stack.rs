@@ -4,6 +4,7 @@ use super::AssessError;
 use super::kinetic_friction;
 use super::least_motion::{BETWEEN, FirstMotion};
 use super::least_pressed::LeastPressed;
+use super::only_corners;
 use super::stack_notes::{Gaps, SettleRun, StackNote};
 use crate::blocks::LooseStones;
 use crate::stability::Verdict;
@@ -113,6 +114,13 @@ const LOWER: f64 = 1e-4;
 /// ```
 pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCheck, AssessError> {
     let mut check = without_shaking(stack, options)?;
+    let found = only_corners::Found {
+        limits: &check.limits,
+        analysis: check.analysis.as_ref(),
+        capacity: check.capacity,
+    };
+    let corners = only_corners::note(stack, &options.limits, &found)?;
+    check.notes.extend(corners);
     if let Some(strength_pa) = stack.least_strength_pa() {
         let uncrushed = without_shaking(&stack.clone().without_strength(), options)?;
         check.crushing = Some(Crushing {

@@ -146,6 +146,17 @@ pub enum StackNote {
         /// Number of such contacts.
         contacts: usize,
     },
+    /// A mesh shows only the corners of a bed that decides the capacity, so that nothing shows how exact they are.
+    OnlyCorners {
+        /// The body below the bed.
+        lower: Body,
+        /// The block above it.
+        upper: usize,
+        /// Assumed error of the corners of all such beds, m.
+        off_m: f64,
+        /// Relative reduction of the capacity by this error.
+        change: f64,
+    },
     /// Acceleration at which stones that share their load begin to move with the kinetic friction in every joint.
     KineticShared {
         /// The acceleration, over gravity.
@@ -314,6 +325,22 @@ impl fmt::Display for StackNote {
             } => write!(
                 f,
                 "stones do not stand without {contacts} contacts narrower than the drawing is accurate, the narrowest {width_m:e} m"
+            ),
+            StackNote::OnlyCorners {
+                lower,
+                upper,
+                off_m,
+                change,
+            } => write!(
+                f,
+                "the mesh shows only the corners of the bed of stone {} on {}, which decides: an error of {off_m} m of them changes the \
+                 acceleration by up to {:.2} %",
+                upper + 1,
+                match lower {
+                    Body::Ground => "the ground".to_owned(),
+                    Body::Block(block) => format!("stone {}", block + 1),
+                },
+                100.0 * change
             ),
             StackNote::KineticShared { moves_at_g } => write!(
                 f,

@@ -71,6 +71,7 @@ fn contact(assembly: &Assembly, patch: &Patch, material: &JointMaterial) -> Opti
         gap_m: 0.0,
         scanned: None,
         is_sliver: false,
+        only_corners: false,
     })
 }
 

@@ -59,6 +59,7 @@ mod published;
 mod pyoma2;
 mod rocking_and_sliding;
 mod rocking_block;
+mod scan_corners;
 mod setups;
 mod shape_doubts;
 mod slenderness_readings;

@@ -1,6 +1,7 @@
 //! Contact of two convex solids: the pair of faces with the largest common patch.
 
 use super::bearing::{AREA_LEAST, Bearing, OUTLINE_LEAST, bearing};
+use super::only_corners::bounds;
 use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid, StackError};
 use glam::DVec3;
 
@@ -38,6 +39,8 @@ pub(super) struct Bed {
     radii_m: [Option<f64>; 2],
     /// Whether the patch is too narrow to be known from the drawing.
     is_sliver: bool,
+    /// Whether a mesh shows only the corners of a bed that bounds the patch.
+    only_corners: bool,
 }
 
 impl Bed {
@@ -123,6 +126,7 @@ impl Bed {
             scanned: self.scanned,
             radii_m: self.radii_m,
             is_sliver: self.is_sliver,
+            only_corners: self.only_corners,
         }
     }
 
@@ -137,6 +141,7 @@ impl Bed {
             gap_m: self.gap_m,
             scanned: self.scanned,
             is_sliver: self.is_sliver,
+            only_corners: self.only_corners,
         }
     }
 }
@@ -239,6 +244,10 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
         .into_iter()
         .chain(below.map(|b| (upper, b)))
         .collect();
+    bed.only_corners = faces.iter().any(|(solid, face)| {
+        solid.shows_only_corners(*face)
+            && bounds(&face_in_plane(solid, *face, bed.origin, &bed.axes), &bed.patch)
+    });
     Some(bed.scanned(&faces))
 }
 
@@ -298,6 +307,7 @@ fn bed_of(patch: Polygon, origin: DVec3, axes: [DVec3; 3]) -> Bed {
         scanned: None,
         radii_m: [None, None],
         is_sliver: false,
+        only_corners: false,
     }
 }
 

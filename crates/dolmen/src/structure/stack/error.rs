@@ -185,16 +185,30 @@ pub enum StackError {
         /// Least allowed ratio.
         allowed: f64,
     },
+    /// The few vertices of a face of a mesh do not lie in one plane.
+    #[error(
+        "a face of the mesh shows no plane: of its {corners} vertices, the one at {} lies {:.1} mm off the plane of the others, and so few do not \
+         average out: scan this face more closely, or give the stone as a box, frustum or solid of points",
+        place(*at_m), 1e3 * off_m
+    )]
+    MeshBent {
+        /// The vertex that is farthest from the plane of the others, m.
+        at_m: [f64; 3],
+        /// Its distance from that plane, m.
+        off_m: f64,
+        /// Number of vertices of the face.
+        corners: usize,
+    },
     /// The fitted faces of a scan do not bound a body similar to the scan.
     #[error(
-        "the surface of the mesh is uneven (its vertices scatter by {:.2} mm), and its flat faces bound {}, not its own {volume_m3:.5} m³: the \
+        "the surface of the mesh is uneven ({}), and its flat faces bound {}, not its own {volume_m3:.5} m³: the \
          stone is not convex, or too worn or curved for beds to be found in it; cut it into convex parts, scan its beds more closely, \
          or give it as a box, frustum or solid of points",
-        1e3 * noise_m, bounded(*fitted_m3)
+        scatter(*noise_m), bounded(*fitted_m3)
     )]
     MeshUneven {
-        /// Standard deviation of its vertices, m.
-        noise_m: f64,
+        /// Standard deviation of its vertices, m; `None` if they are too few to show it.
+        noise_m: Option<f64>,
         /// Volume of the mesh, m³.
         volume_m3: f64,
         /// Volume within the fitted planes, m³; `None` if they bound none.
@@ -367,15 +381,18 @@ pub enum StackError {
     },
     /// A block has no support.
     #[error(
-        "'{block}' floats: the nearest bed below it, of {nearest}, is {gap_m:.4} m away, and a bed must lie within {allowed_m} m"
+        "'{block}' floats: it is {}{above_ground_m:.4} m above the ground, and a bed must lie within {allowed_m} m",
+        off(nearest.as_deref(), *apart_m)
     )]
     Floating {
         /// The block.
         block: String,
-        /// The nearest block below it, or "the ground".
-        nearest: String,
-        /// Distance to it, m.
-        gap_m: f64,
+        /// The block that stands and could carry it with the fewest changes of its place, or the nearest of those; `None` if none stands.
+        nearest: Option<String>,
+        /// Distances from the top of that block along x, y and z, m, positive if this block lies on the positive side.
+        apart_m: [f64; 3],
+        /// Distance from the ground, m.
+        above_ground_m: f64,
         /// The allowed value, m.
         allowed_m: f64,
     },
@@ -413,8 +430,22 @@ pub enum StackError {
     },
 }
 
+fn scatter(noise_m: Option<f64>) -> String {
+    noise_m.map_or(
+        "of too few vertices to show how far they scatter".to_owned(),
+        |noise| format!("its vertices scatter by {:.2} mm", 1e3 * noise),
+    )
+}
+
 fn bounded(volume_m3: Option<f64>) -> String {
     volume_m3.map_or("nothing".to_owned(), |volume| format!("{volume:.5} m³"))
+}
+
+fn off(stone: Option<&str>, apart_m: [f64; 3]) -> String {
+    let [x, y, z] = apart_m;
+    stone.map_or(String::new(), |stone| {
+        format!("{x:.4} m along x, {y:.4} m along y and {z:.4} m along z off the top of {stone}, and ")
+    })
 }
 
 fn place(at: [f64; 3]) -> String {

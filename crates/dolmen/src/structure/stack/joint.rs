@@ -33,6 +33,8 @@ pub struct Joint {
     pub scanned: Option<ScannedJoint>,
     /// Whether the patch is too narrow to be known from the drawing; a stone does not stand without it.
     pub is_sliver: bool,
+    /// Whether a mesh shows only the corners of a bed that bounds the patch, so that nothing shows how exact they are.
+    pub only_corners: bool,
 }
 
 /// Accuracy of a joint from scans.

@@ -83,7 +83,7 @@ mod tests {
         );
         let fault = make(0.6).unwrap_err().to_string();
         assert!(
-            fault.starts_with("'high' floats: the nearest bed below it, of low, is 0.1000 m away"),
+            fault.starts_with("'high' floats: it is 0.0000 m along x, 0.0000 m along y and 0.1000 m along z off the top of low, and 0.6000 m above"),
             "{fault}"
         );
     }

@@ -2,7 +2,6 @@
 
 use super::beds::{BED_GAP_M, bed, check_used, gap_allowed_m, rounded};
 use super::overlap::overlap_depth;
-use super::wedge::wedge;
 use super::{Body, Joint, JointMaterial, Sliver, SoilBelow, Solid, StackError, StaticLoad, SupportMovement};
 use glam::DVec3;
 
@@ -384,65 +383,12 @@ impl Stack {
                 break;
             }
         }
-        let Some(block) = carried.iter().position(|carried| !carried) else {
-            return Ok(());
-        };
-        let bounds = self.blocks[block].solid.bounds_m();
-        let crown_m = self.blocks[block].solid.rounded_below_m();
-        // the plane fitted to a crown lies within the body below
-        let least_m = crown_m.map_or(0.0, |_| -2.0 * BED_GAP_M);
-        let mut nearest = ("the ground".to_owned(), bounds[0][2]);
-        for other in self
-            .blocks
-            .iter()
-            .filter(|other| other.name != self.blocks[block].name)
-        {
-            let below = other.solid.bounds_m();
-            let under =
-                (0..2).all(|axis| below[0][axis] < bounds[1][axis] && bounds[0][axis] < below[1][axis]);
-            let gap = bounds[0][2] - below[1][2];
-            if under && gap > least_m && gap < nearest.1 {
-                nearest = (other.name.clone(), gap);
-            }
+        let bottom_m = |block: usize| self.blocks[block].solid.bounds_m()[0][2];
+        let uncarried = (0..carried.len()).filter(|&block| !carried[block]);
+        match uncarried.min_by(|&a, &b| bottom_m(a).total_cmp(&bottom_m(b))) {
+            None => Ok(()),
+            Some(lowest) => Err(self.uncarried(lowest, &carried)),
         }
-        if let Some(radius_m) = crown_m
-            && nearest.1.abs() <= 2.0 * BED_GAP_M
-        {
-            let name = &self.blocks[block].name;
-            return Err(rounded(name, &nearest.0, name, radius_m));
-        }
-        if let Some(why) = self.not_parallel(block) {
-            return Err(why);
-        }
-        Err(StackError::Floating {
-            block: self.blocks[block].name.clone(),
-            nearest: nearest.0,
-            gap_m: nearest.1,
-            allowed_m: BED_GAP_M,
-        })
-    }
-    /// The stone below a floating block, or the ground, that it meets at an edge.
-    fn not_parallel(&self, block: usize) -> Option<StackError> {
-        let own = &self.blocks[block];
-        let [low, high] = own.solid.bounds_m();
-        let under = |other: &&Block| {
-            let [other_low, other_high] = other.solid.bounds_m();
-            other.name != own.name
-                && other_low[2] < low[2]
-                && (0..2).all(|axis| other_low[axis] < high[axis] && low[axis] < other_high[axis])
-        };
-        let stones = self.blocks.iter().filter(under);
-        let stones = stones.map(|other| (other.name.clone(), wedge(Some(&other.solid), &own.solid)));
-        let ground = ("the ground".to_owned(), wedge(None, &own.solid));
-        let (lower, found) = stones.chain([ground]).find(|(_, found)| found.is_some())?;
-        let found = found?;
-        Some(StackError::BedsNotParallel {
-            block: own.name.clone(),
-            lower,
-            angle_deg: found.angle_deg,
-            far_m: found.far_m,
-            allowed_m: BED_GAP_M,
-        })
     }
 }
 

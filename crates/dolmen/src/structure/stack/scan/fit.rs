@@ -54,7 +54,8 @@ pub(crate) struct Fitted {
 /// The fitted body of a mesh; `None` for a mesh without noise, whose hull is exact.
 ///
 /// # Errors
-/// [`StackError::MeshUneven`] if no planes bound a body with the volume of the mesh.
+/// [`StackError::MeshBent`] if the few vertices of a face do not lie in one plane, [`StackError::MeshUneven`] if no planes bound a body with the volume
+/// of the mesh.
 pub(crate) fn fitted(
     vertices_m: &[[f64; 3]],
     triangles: &[[usize; 3]],
@@ -72,16 +73,22 @@ pub(crate) fn fitted(
     let size = (high - low).max_element();
     let smooth = (1.6 * edge).max(5.5 * (noise * edge).sqrt());
     let mut radii = vec![0.0];
-    if smooth < 0.25 * size {
+    let shows_noise = smooth < 0.25 * size;
+    if shows_noise {
         let raw_first = 2.0 * noise < TURN_RAW_RAD * edge;
         radii.insert(usize::from(raw_first), smooth);
     }
-    let mut closest: Option<f64> = None;
+    let (mut closest, mut bent): (Option<f64>, Option<Bend>) = (None, None);
     for radius in radii {
         let spread = if radius > 0.0 { noise } else { 0.0 };
         let tolerance = TOLERANCE_M.min(FLAT_SHARE * size).max(TOLERANCE_NOISE * spread);
         let found = regions(&surface, &surface.smoothed(radius), tolerance);
-        let Some((fit, uncut_m3)) = bounded(&surface, found, hull, tolerance) else {
+        let faces = outer(found, hull, tolerance);
+        if let Some(bend) = torn(&surface, &faces) {
+            bent.get_or_insert(bend);
+            continue;
+        }
+        let Some((fit, uncut_m3)) = bounded(&surface, &faces, hull) else {
             continue;
         };
         let off = uncut_m3 / volume_m3 - 1.0;
@@ -92,8 +99,15 @@ pub(crate) fn fitted(
             closest = Some(off);
         }
     }
+    if let (None, Some(bend)) = (closest, bent) {
+        return Err(StackError::MeshBent {
+            at_m: bend.at_m,
+            off_m: bend.off_m,
+            corners: bend.corners,
+        });
+    }
     Err(StackError::MeshUneven {
-        noise_m: noise,
+        noise_m: shows_noise.then_some(noise),
         volume_m3,
         fitted_m3: closest.map(|off| volume_m3 * (1.0 + off)),
     })
@@ -119,25 +133,27 @@ fn is_merged(hull: &Solid, flat_m: f64) -> bool {
     })
 }
 
-/// The body behind the planes of all outer faces. Its worn edges and corners are cut, repeatedly if faces are then no longer flat. Also its
-/// volume before the cuts, m³.
-fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64) -> Option<(Fitted, f64)> {
+/// The regions that bound the body: those with hardly a corner of the hull outside of their planes.
+fn outer(found: Vec<Region>, hull: &Solid, tolerance_m: f64) -> Vec<Region> {
     let corners: Vec<DVec3> = hull.vertices_m().iter().copied().map(DVec3::from).collect();
-    let outer = |region: &Region| {
+    let is_outer = |region: &Region| {
         let beyond = |p: &&DVec3| region.plane.height_m(**p) > tolerance_m;
         (corners.iter().filter(beyond).count() as f64) <= OUTSIDE_MOST * corners.len() as f64
     };
-    let faces: Vec<Region> = found.into_iter().filter(outer).collect();
-    if is_torn(surface, &faces) {
-        return None;
-    }
-    let noise_m = roughness_m(surface, &faces);
+    found.into_iter().filter(is_outer).collect()
+}
+
+/// The body behind the planes of all outer faces. Its worn edges and corners are cut, repeatedly if faces are then no longer flat. Also its
+/// volume before the cuts, m³.
+fn bounded(surface: &Surface, faces: &[Region], hull: &Solid) -> Option<(Fitted, f64)> {
+    let corners: Vec<DVec3> = hull.vertices_m().iter().copied().map(DVec3::from).collect();
+    let noise_m = roughness_m(surface, faces);
     let [low, high] = hull.bounds_m().map(DVec3::from);
     let (centre, size) = (0.5 * (low + high), (high - low).max_element());
     let mut planes: Vec<Plane> = faces.iter().map(|face| face.plane).collect();
     let worn = (0.002 * size).max(3.0 * noise_m);
     let mut solid = body(&planes, centre, size).ok()?;
-    let cuts = chamfers(surface, &solid, &faces, size, noise_m);
+    let cuts = chamfers(surface, &solid, faces, size, noise_m);
     for _ in 0..BEVELS {
         let before = planes.len();
         planes.extend(bevels(&solid, &corners, worn, OUTERMOST_NOISE * noise_m));
@@ -152,7 +168,7 @@ fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64
         solid = body(&planes, centre, size).ok()?;
     }
     let of_faces: Vec<Option<&Region>> = (0..solid.faces().len())
-        .map(|number| region_of(&solid, number, &faces, size))
+        .map(|number| region_of(&solid, number, faces, size))
         .collect();
     let triangles = of_faces
         .iter()
@@ -172,25 +188,43 @@ fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64
     Some((fit, uncut_m3))
 }
 
-/// Whether noise tears a bed in two: its few vertices do not lie in one plane, and half of it would carry the stone.
-fn is_torn(surface: &Surface, faces: &[Region]) -> bool {
-    let corners_of = |face: &Region| -> BTreeSet<[u64; 3]> {
-        let corners = face
-            .triangles
-            .iter()
-            .flat_map(|&triangle| surface.corners(triangle));
-        corners
-            .map(|corner| corner.to_array().map(f64::to_bits))
-            .collect()
+/// A face of few vertices that do not lie in one plane.
+struct Bend {
+    /// Its vertex that is farthest from the plane of the others, m.
+    at_m: [f64; 3],
+    /// Distance of this vertex from that plane, m.
+    off_m: f64,
+    /// Number of vertices of the face.
+    corners: usize,
+}
+
+/// The bend that tears a bed in two: its few vertices do not lie in one plane, and half of it would carry the stone.
+fn torn(surface: &Surface, faces: &[Region]) -> Option<Bend> {
+    let corners_of = |face: &Region| -> BTreeSet<usize> {
+        let corners = face.triangles.iter().flat_map(|&t| surface.triangles[t]);
+        corners.collect()
     };
-    let corners: Vec<BTreeSet<[u64; 3]>> = faces.iter().map(corners_of).collect();
+    let corners: Vec<BTreeSet<usize>> = faces.iter().map(corners_of).collect();
     let is_bent = |first: usize, second: usize| {
         let shared = corners[first].intersection(&corners[second]).count();
         let all = corners[first].len() + corners[second].len() - shared;
         let together = faces[first].plane.normal.dot(faces[second].plane.normal);
         shared >= 2 && all < BENT_VERTICES_LEAST && together > ONE_BED
     };
-    (0..faces.len()).any(|first| (0..first).any(|second| is_bent(first, second)))
+    let mut pairs = (0..faces.len()).flat_map(|first| (0..first).map(move |second| (first, second)));
+    let (first, second) = pairs.find(|&(first, second)| is_bent(first, second))?;
+    let all: BTreeSet<usize> = corners[first].union(&corners[second]).copied().collect();
+    let off = |plane: &Plane, vertex: usize| plane.height_m(surface.vertices[vertex]).abs();
+    // from the plane of the larger half, which comes first
+    let plane = &faces[second].plane;
+    let &farthest = all
+        .iter()
+        .max_by(|&&a, &&b| off(plane, a).total_cmp(&off(plane, b)))?;
+    Some(Bend {
+        at_m: surface.vertices[farthest].into(),
+        off_m: off(plane, farthest),
+        corners: all.len(),
+    })
 }
 
 /// The region whose plane contains a face of the body.
@@ -426,8 +460,20 @@ mod tests {
             Solid::mesh(&corners, &triangles)
         };
         assert!(mesh(0.001).is_ok());
-        let torn = mesh(0.005);
-        assert!(matches!(torn, Err(StackError::MeshUneven { .. })), "{torn:?}");
+        let fault = mesh(0.005).unwrap_err();
+        let StackError::MeshBent { at_m, off_m, corners } = fault else {
+            panic!("{fault}")
+        };
+        // three corners slope by 2 t over each side; the fourth lies 4 t above or below them
+        let slope = (0.01_f64 / 0.6).hypot(0.01 / 0.5);
+        assert!((off_m - 0.02 / 1.0_f64.hypot(slope)).abs() < 1e-9, "{off_m}");
+        assert!(at_m[2].abs() == 0.005 && corners == 4, "{at_m:?}");
+        assert!(
+            fault
+                .to_string()
+                .contains("lies 20.0 mm off the plane of the others"),
+            "{fault}"
+        );
     }
 
     /// A box of 0.8 × 0.6 × 0.6 m on the ground, with edges and corners rounded by a radius.
