@@ -11,6 +11,7 @@ use super::options::Identify;
 use super::quality::in_valleys;
 use super::quality::leave_out_clipped;
 use super::quality::leave_out_combs;
+use super::quality::leave_out_flanks;
 use super::quality::leave_out_other_clocks;
 use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
@@ -122,6 +123,9 @@ fn of_ambient(
         let before = analysis.modes.modes.clone();
         leave_out_combs(&mut analysis.modes, &mut notes);
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Machine));
+        let before = analysis.modes.modes.clone();
+        leave_out_flanks(&mut analysis.modes);
+        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::SplitsOff));
     }
     if options.method != Method::Era {
         let before = analysis.modes.modes.clone();

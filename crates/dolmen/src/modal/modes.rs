@@ -115,6 +115,29 @@ pub struct Modes {
     pub history: Vec<Processing>,
 }
 
+#[cfg(test)]
+impl Mode {
+    /// A mode of a long record without deviations, for tests.
+    pub(crate) fn made(frequency_hz: f64, damping_ratio: f64, shape: &[f64]) -> Self {
+        Mode {
+            frequency_hz,
+            frequency_sd_hz: None,
+            frequency_changes_hz: Vec::new(),
+            damping_ratio: Some(damping_ratio),
+            damping_ratio_sd: None,
+            shape: shape.iter().copied().map(Complex64::from).collect(),
+            shape_sd: None,
+            phase_collinearity: 1.0,
+            cycles: 600.0 * frequency_hz,
+            orders: Vec::new(),
+            kurtosis: None,
+            wander: None,
+            window_bias: None,
+            accepted: None,
+        }
+    }
+}
+
 impl Mode {
     /// Keeps only the components of these channels, scaled so that the largest is 1.
     pub(super) fn keep_channels(&mut self, kept: &[usize]) {

@@ -240,20 +240,10 @@ mod tests {
 
     fn modes(shapes: &[Vec<Complex64>]) -> Modes {
         let mode = |(i, shape): (usize, &Vec<Complex64>)| Mode {
-            frequency_hz: 1.0 + i as f64,
             frequency_sd_hz: Some(0.01),
-            frequency_changes_hz: vec![],
             damping_ratio: None,
-            damping_ratio_sd: None,
             shape: shape.clone(),
-            shape_sd: None,
-            phase_collinearity: 1.0,
-            cycles: 600.0,
-            orders: vec![],
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..Mode::made(1.0 + i as f64, 0.01, &[])
         };
         let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
         Modes {

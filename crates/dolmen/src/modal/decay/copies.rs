@@ -37,25 +37,9 @@ mod tests {
     use super::*;
     use crate::modal::Method;
     use crate::signal::Channel;
-    use dolmen_linalg::Complex64;
 
     fn mode(frequency_hz: f64, shape: [f64; 3]) -> Mode {
-        Mode {
-            frequency_hz,
-            frequency_sd_hz: Some(0.01),
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: Some(0.011),
-            damping_ratio_sd: None,
-            shape: shape.map(Complex64::from).to_vec(),
-            shape_sd: None,
-            phase_collinearity: 1.0,
-            cycles: 1000.0,
-            orders: Vec::new(),
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
-        }
+        Mode::made(frequency_hz, 0.011, &shape)
     }
 
     #[test]

@@ -103,20 +103,9 @@ mod tests {
     #[test]
     fn exact_hum_does_not_decay_and_a_steel_wire_does() {
         let mode = |zeta: f64, sd: f64, cycles: f64| Mode {
-            frequency_hz: 12.3,
-            frequency_sd_hz: Some(4e-6),
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: Some(zeta),
             damping_ratio_sd: Some(sd),
-            shape: Vec::new(),
-            shape_sd: None,
-            phase_collinearity: 1.0,
             cycles,
-            orders: Vec::new(),
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..Mode::made(12.3, zeta, &[])
         };
         assert!(is_machine(&mode(5e-8, 3.4e-7, 492.0)));
         // damped by 0.02 %: its amplitude falls by 46 %

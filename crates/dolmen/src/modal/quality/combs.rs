@@ -125,19 +125,7 @@ mod tests {
                 deviation: 0.2,
                 share: 1.0,
             }),
-            frequency_hz: *frequency_hz,
-            frequency_sd_hz: None,
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: None,
-            damping_ratio_sd: None,
-            shape: Vec::new(),
-            shape_sd: None,
-            phase_collinearity: 1.0,
-            cycles: 600.0 * frequency_hz,
-            orders: Vec::new(),
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..Mode::made(*frequency_hz, 0.01, &[])
         };
         Modes {
             modes: of.iter().map(mode).collect(),

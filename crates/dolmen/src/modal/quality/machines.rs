@@ -365,3 +365,53 @@ fn leave_out_steady_light(options: &Identify, modes: &mut Modes, notes: &mut Vec
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modal::{MadeMode, MadeRecord};
+    use std::f64::consts::PI;
+
+    #[test]
+    fn holds_a_sine_alone_is_left_out_and_a_mode_under_a_sine_stays() {
+        let (shape, sine_hz) = ([1.0, -0.6], 6.2);
+        let made = MadeRecord {
+            modes: vec![MadeMode {
+                frequency_hz: 2.3,
+                damping_ratio: 0.012,
+                shape: vec![0.5, 1.0],
+            }],
+            duration_s: 600.0,
+            seed: 3,
+            ..MadeRecord::default()
+        };
+        let record = made.make().unwrap();
+        let rate_hz = record.sampling_rate_hz();
+        let with_sine = |at_hz: f64| -> Record {
+            let samples = shape.iter().enumerate().map(|(c, share)| {
+                let size = 0.2 * record.mean_square(c).sqrt();
+                let of =
+                    |(t, y): (usize, &f64)| y + size * share * (2.0 * PI * at_hz * t as f64 / rate_hz).sin();
+                record.samples(c).iter().enumerate().map(of).collect()
+            });
+            Record::new(record.channels().to_vec(), samples.collect(), rate_hz).unwrap()
+        };
+        let left = |record: &Record, mode: Mode| -> usize {
+            let found = |modes| Modes {
+                modes,
+                channels: record.channels().to_vec(),
+                method: Method::SsiCov,
+                duration_s: record.duration_s(),
+                history: Vec::new(),
+            };
+            let mut modes = found(vec![mode]);
+            note_tones_on_modes(record, (&mut modes, &found(Vec::new())), &mut Vec::new());
+            modes.modes.len()
+        };
+        // 7 lines wide, if it were a mode; the kurtosis is not known
+        let false_mode = Mode::made(sine_hz, 0.002, &shape);
+        assert_eq!(left(&with_sine(sine_hz), false_mode.clone()), 0);
+        assert_eq!(left(&record, false_mode), 1);
+        assert_eq!(left(&with_sine(2.31), Mode::made(2.3, 0.012, &[0.5, 1.0])), 1);
+    }
+}

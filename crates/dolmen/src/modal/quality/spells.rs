@@ -306,30 +306,16 @@ mod tests {
     use crate::modal::{MadeMode, MadeRecord, Method};
     use crate::numeric::Random;
     use dolmen_linalg::Complex64;
+    use std::ops::Range;
 
     const MODES: [(f64, f64, [f64; 2]); 2] = [(3.1, 0.01, [1.0, 0.6]), (8.3, 0.008, [-0.7, 1.0])];
 
     fn mode((frequency_hz, damping_ratio, shape): (f64, f64, [f64; 2])) -> Mode {
-        Mode {
-            frequency_hz,
-            frequency_sd_hz: None,
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: Some(damping_ratio),
-            damping_ratio_sd: None,
-            shape: shape.map(Complex64::from).to_vec(),
-            shape_sd: None,
-            phase_collinearity: 1.0,
-            cycles: 600.0 * frequency_hz,
-            orders: Vec::new(),
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
-        }
+        Mode::made(frequency_hz, damping_ratio, &shape)
     }
 
-    /// Two modes, ten minutes, with an additional motion at 5.5 Hz from 200 to 230 s and passing vehicles.
-    fn record(vehicles: &[f64]) -> Record {
+    /// Two modes, ten minutes, with an additional motion at 5.5 Hz at these times and passing vehicles.
+    fn record(vehicles: &[f64], runs_s: Range<f64>) -> Record {
         let made = MadeRecord {
             modes: MODES
                 .map(|(frequency_hz, damping_ratio, shape)| MadeMode {
@@ -353,7 +339,7 @@ mod tests {
                 let each = kind.samples(c).iter().enumerate().map(|(t, y)| {
                     let at_s = t as f64 / rate_hz;
                     phase += 2.0 * PI * 5.5 / rate_hz + 0.01 * random.normal();
-                    let walks = (200.0..230.0).contains(&at_s);
+                    let walks = runs_s.contains(&at_s);
                     let passes = |from_s: &f64| (0.0..8.0).contains(&(at_s - from_s));
                     let gust = if vehicles.iter().any(passes) { 5.0 } else { 1.0 };
                     gust * y
@@ -369,7 +355,7 @@ mod tests {
     #[test]
     fn holds_a_line_of_half_a_minute_is_in_spells_and_modes_are_not() {
         for vehicles in [&[][..], &[50.0, 310.0, 480.0]] {
-            let record = record(vehicles);
+            let record = record(vehicles, 200.0..230.0);
             for own in MODES {
                 assert_eq!(in_spells(&record, &mode(own)), None, "{vehicles:?}");
             }
@@ -383,7 +369,7 @@ mod tests {
 
     #[test]
     fn holds_it_is_left_out_and_named() {
-        let record = record(&[]);
+        let record = record(&[], 200.0..230.0);
         let mut all = Modes {
             modes: vec![mode(MODES[0]), mode((5.5, 0.004, [0.8, 0.9])), mode(MODES[1])],
             channels: record.channels().to_vec(),
@@ -396,6 +382,37 @@ mod tests {
         assert_eq!(all.modes.len(), 2);
         let said = notes[0].to_string();
         assert!(said.contains("while the structure is quiet: 5.500 Hz"), "{said}");
+    }
+
+    #[test]
+    fn holds_short_windows_show_the_end_of_a_line_that_ran_for_two_thirds_of_the_time() {
+        let record = record(&[], 0.0..390.0);
+        let ran = Quiet::of(&record, &mode((5.5, 0.0019, [0.8, 0.9])));
+        assert!(ran.own.unwrap().quiet > STANDS_OUT);
+        assert!(
+            ran.in_spells()
+                .is_some_and(|of| of.quiet < 1.7 && of.whole > 20.0)
+        );
+        for (frequency_hz, _, shape) in MODES {
+            // as narrow a mode would be
+            let light = Quiet::of(&record, &mode((frequency_hz, 0.0019, shape)));
+            assert!(light.in_spells().is_none(), "{frequency_hz}");
+        }
+    }
+
+    #[test]
+    fn exact_uneven_lines_at_multiples_of_steps_are_theirs() {
+        let quiet = |whole: f64, quiet: f64| Quiet {
+            own: Some(StandsOut { whole, quiet }),
+            short: None,
+        };
+        let steps_hz = [4.049, 8.1];
+        assert!(quiet(40.6, 4.0).of_steps(2.0219, &steps_hz).is_some());
+        assert!(quiet(40.6, 4.0).of_steps(3.04, &steps_hz).is_some()); // 3/4
+        // apart from all multiples, or as strong in quiet times
+        assert!(quiet(40.6, 4.0).of_steps(2.2, &steps_hz).is_none());
+        assert!(quiet(40.6, 30.0).of_steps(2.0219, &steps_hz).is_none());
+        assert!(quiet(40.6, 4.0).of_steps(2.0219, &[]).is_none());
     }
 
     #[test]

@@ -243,20 +243,12 @@ mod tests {
     fn setup(channels: &[usize], scale: Complex64, factor: f64) -> Modes {
         let made = ReferenceCase::ClosePairs.made(0).unwrap();
         let mode = |m: &crate::modal::MadeMode| Mode {
-            frequency_hz: factor * m.frequency_hz,
             frequency_sd_hz: Some(0.002),
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: Some(m.damping_ratio),
             damping_ratio_sd: Some(0.001),
             shape: channels.iter().map(|c| scale * m.shape[*c]).collect(),
             shape_sd: Some(vec![0.01; channels.len()]),
-            phase_collinearity: 1.0,
-            cycles: 600.0 * m.frequency_hz,
             orders: vec![8],
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..Mode::made(factor * m.frequency_hz, m.damping_ratio, &[])
         };
         Modes {
             modes: made.modes.iter().map(mode).collect(),

@@ -140,24 +140,11 @@ fn is_contradicted(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dolmen_linalg::Complex64;
 
     fn mode(frequency_hz: f64, sd_hz: f64) -> Mode {
         Mode {
-            frequency_hz,
             frequency_sd_hz: Some(sd_hz),
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: Some(0.01),
-            damping_ratio_sd: Some(0.001),
-            shape: vec![Complex64::new(1.0, 0.0)],
-            shape_sd: None,
-            phase_collinearity: 1.0,
-            cycles: 1000.0,
-            orders: Vec::new(),
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..Mode::made(frequency_hz, 0.01, &[1.0])
         }
     }
 

@@ -205,20 +205,8 @@ mod tests {
 
     fn modes(all: &[(f64, [f64; 4])]) -> Modes {
         let mode = |(frequency_hz, shape): &(f64, [f64; 4])| Mode {
-            frequency_hz: *frequency_hz,
             frequency_sd_hz: Some(0.015),
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: Some(0.015),
-            damping_ratio_sd: Some(0.002),
-            shape: shape.map(|x| Complex64::new(x, 0.0)).to_vec(),
-            shape_sd: None,
-            phase_collinearity: 1.0,
-            cycles: 1000.0,
-            orders: Vec::new(),
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..Mode::made(*frequency_hz, 0.015, shape)
         };
         Modes {
             modes: all.iter().map(mode).collect(),
