@@ -196,23 +196,19 @@ fn gaps_noted(widest: Sentence, joints: usize, gaps: &Gaps) -> Notes {
     }
 }
 
+fn lower(joints_g: Option<f64>, analysis_g: f64) -> Notes {
+    let analysis = in_g(analysis_g);
+    match joints_g.map(in_g) {
+        Some(joints) => Notes::Lower { analysis, joints },
+        None => Notes::LowerAlone { analysis },
+    }
+}
+
 /// A note of the check.
 pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
     let said = match of {
         StackNote::SharedLoad => Notes::SharedLoad,
-        StackNote::AnalysisLower {
-            joints_g: Some(joints_g),
-            analysis_g,
-        } => Notes::Lower {
-            analysis: in_g(*analysis_g),
-            joints: in_g(*joints_g),
-        },
-        StackNote::AnalysisLower {
-            joints_g: None,
-            analysis_g,
-        } => Notes::LowerAlone {
-            analysis: in_g(*analysis_g),
-        },
+        StackNote::AnalysisLower { joints_g, analysis_g } => lower(*joints_g, *analysis_g),
         StackNote::AnalysisBetween {
             at_least_g,
             analysis_g,

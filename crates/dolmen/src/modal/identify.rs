@@ -113,19 +113,7 @@ fn of_ambient(
         analysis.free_decays = Some(found.decays);
     }
     if is_ambient {
-        let all = (0..record.channels().len()).collect();
-        let before = analysis.modes.modes.clone();
-        test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
-        refused.extend(taken_out(&before, &analysis.modes.modes, of_steady));
-        let before = analysis.modes.modes.clone();
-        leave_out_spells(record, &mut analysis.modes, &mut notes);
-        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::InSpells));
-        let before = analysis.modes.modes.clone();
-        leave_out_combs(&mut analysis.modes, &mut notes);
-        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Machine));
-        let before = analysis.modes.modes.clone();
-        leave_out_flanks(&mut analysis.modes);
-        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::SplitsOff));
+        leave_out_not_random(record, options, &mut analysis.modes, (&mut refused, &mut notes))?;
     }
     if options.method != Method::Era {
         let before = analysis.modes.modes.clone();
@@ -176,6 +164,29 @@ fn of_ambient(
     notes.extend(of_channels);
     analysis.notes = notes;
     Ok(analysis)
+}
+
+/// Leaves out what random forces cannot have made a mode: machines, footsteps, their multiples, and flanks of other modes.
+fn leave_out_not_random(
+    record: &Record,
+    options: &Identify,
+    modes: &mut Modes,
+    (refused, notes): (&mut Vec<Candidate>, &mut Vec<Note>),
+) -> Result<(), ModalError> {
+    let all = (0..record.channels().len()).collect();
+    let before = modes.modes.clone();
+    test_for_machines(&[(record, all)], options, modes, notes)?;
+    refused.extend(taken_out(&before, &modes.modes, of_steady));
+    let before = modes.modes.clone();
+    leave_out_spells(record, modes, notes);
+    refused.extend(taken_out(&before, &modes.modes, |_| Refusal::InSpells));
+    let before = modes.modes.clone();
+    leave_out_combs(modes, notes);
+    refused.extend(taken_out(&before, &modes.modes, |_| Refusal::Machine));
+    let before = modes.modes.clone();
+    leave_out_flanks(modes);
+    refused.extend(taken_out(&before, &modes.modes, |_| Refusal::SplitsOff));
+    Ok(())
 }
 
 /// Identification with only the channels of one clock, if others were left out: their phases would split or destroy a mode.
