@@ -88,9 +88,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn shown(mode: &UnkindMode) -> String {
     let decibel = 10.0 * mode.signal_over_rest.max(1e-9).log10();
     format!(
-        "{:.3} ({:.2} %, {decibel:.0} dB{})",
+        "{:.3} ({:.2} %, {decibel:.0} dB, to {:.0} %{})",
         mode.mode.frequency_hz,
         100.0 * mode.mode.damping_ratio,
+        100.0 * mode.damping_bound,
         if mode.has_enough_energy() {
             ""
         } else {
@@ -184,7 +185,11 @@ impl Total {
             self.by_length[1] += usize::from(is_long);
             let Some(at) = place else {
                 if wanted {
-                    said.push(format!("missed {:.4} Hz", truth.mode.frequency_hz));
+                    said.push(format!(
+                        "missed {:.4} Hz{}",
+                        truth.mode.frequency_hz,
+                        groups_at(truth, analysis, &kept)
+                    ));
                 }
                 continue;
             };
@@ -366,6 +371,40 @@ fn over_mode(plan: &UnkindPlan, tone: &UnkindTone, mode: usize) -> f64 {
     let off = (tone.frequency_hz - mode.frequency_hz) / half_width_hz;
     let over = (tone.strength * tone.share).powi(2) * PI * lines * (1.0 + off * off);
     if lines < 4.0 { 0.0 } else { over }
+}
+
+/// The groups of poles with a shape like that of a mode, near it.
+fn groups_at(truth: &UnkindMode, analysis: &ModalAnalysis, kept: &[usize]) -> String {
+    let duration_s = analysis.modes.duration_s;
+    let shape: Vec<Complex64> = kept
+        .iter()
+        .map(|c| Complex64::new(truth.mode.shape[*c], 0.0))
+        .collect();
+    let within = 0.03_f64.max(truth.mode.damping_ratio);
+    let near = analysis
+        .clusters
+        .iter()
+        .filter(|of| (of.medoid.frequency_hz / truth.mode.frequency_hz - 1.0).abs() < within);
+    let each = near.map(|of| {
+        let over_floor = of
+            .deviation
+            .as_ref()
+            .map_or(f64::NAN, |d| d.frequency_sd_hz / of.medoid.floor_hz(duration_s));
+        format!(
+            "; {:?} {:.4} Hz, {:.2} %, MAC {:.2}, MPC {:.2}, {} orders, {over_floor:.1} floors",
+            of.fate,
+            of.medoid.frequency_hz,
+            100.0 * of.medoid.damping_ratio,
+            if of.medoid.shape.len() == shape.len() {
+                assurance(&shape, &of.medoid.shape)
+            } else {
+                f64::NAN
+            },
+            of.medoid.phase_collinearity,
+            of.orders.len()
+        )
+    });
+    each.collect()
 }
 
 fn reason(refusal: Option<Refusal>) -> &'static str {

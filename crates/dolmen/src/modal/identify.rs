@@ -21,9 +21,10 @@ use super::quality::{Quantities, doubt_channels, to_one_quantity};
 use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones};
 use super::quality::{leave_out_steadier, test_for_machines};
 use super::quality::{unequal, widen};
-use super::settings::{Settings, choose};
+use super::settings::{Seen, Settings, choose};
 use super::shared_steps::{
     check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter, undecided_of,
+    undecided_peaks,
 };
 use super::shared_steps::{pick, spectrum, wanted};
 use super::spectrum::FddResult;
@@ -323,7 +324,12 @@ fn of_poles(
             .map_or_else(|| options.references.clone(), |few| few.channels.clone()),
         ..options.clone()
     };
-    let chosen = choose(record, &with_few, (&peaks.modes, tones_hz), notes);
+    let seen = Seen {
+        peaks: &peaks.modes,
+        buried: &peaks.buried,
+        tones_hz,
+    };
+    let chosen = choose(record, &with_few, &seen, notes);
     let mut settings = chosen.map_err(|why| none_left(why, set_aside))?;
     settings.references_keep = few.map(|few| few.kept);
     let criteria = options.criteria.within(settings.range_hz);
@@ -426,7 +432,8 @@ fn by_lines(
         tones_hz,
         time_blocks: settings.time_blocks,
     };
-    let undecided = undecided_of(clusters, record.duration_s());
+    let mut undecided = undecided_of(clusters, record.duration_s());
+    undecided.extend(undecided_peaks(peaks, clusters));
     let mut shown = shown_by_lines(record, &modes, undecided, &how);
     leave_out_steadier((record, options), &mut shown)?;
     shown.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));

@@ -3,6 +3,7 @@
 use super::correlations::{CLEAN_SHARE, lags_before};
 use super::error::{references_of, refused};
 use super::options::Identify;
+use super::spectrum::BuriedPeak;
 use super::subspace::HANKEL_ROWS_MOST;
 use super::subspace::Ssi;
 use super::{Method, ModalError, Mode, Modes, Note};
@@ -99,15 +100,25 @@ pub(super) fn passed_hz(record: &Record) -> Option<f64> {
     any.then(|| 0.5 * CORNER_OF_NYQUIST * record.sampling_rate_hz())
 }
 
+/// What the spectrum of a record shows.
+pub(super) struct Seen<'a> {
+    /// Its peaks.
+    pub(super) peaks: &'a Modes,
+    /// Peaks of smaller singular values or wider averages alone.
+    pub(super) buried: &'a [BuriedPeak],
+    /// Machines, Hz.
+    pub(super) tones_hz: &'a [f64],
+}
+
 /// Settings of the subspace methods for a record with these peaks and tones.
 pub(super) fn choose(
     record: &Record,
     options: &Identify,
-    (peaks, tones_hz): (&Modes, &[f64]),
+    seen: &Seen<'_>,
     notes: &mut Vec<Note>,
 ) -> Result<Settings, ModalError> {
     let (l, rate_hz) = (record.channels().len(), record.sampling_rate_hz());
-    let [lowest_hz, highest_hz] = peak_range_hz(options, peaks, rate_hz)?;
+    let [lowest_hz, highest_hz] = peak_range_hz(options, seen, rate_hz)?;
     let range_above = match options.method {
         Method::Plscf => RANGE_ABOVE_PEAK_BY_LINES,
         _ => RANGE_ABOVE_PEAK,
@@ -117,8 +128,14 @@ pub(super) fn choose(
     let sampling_rate_hz = rate_hz / decimation as f64;
     let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
     let highest = ORDER_RANGE[1].max((ORDER_OVER_CHANNELS * l).min(ORDER_LIMIT) / 2 * 2);
-    let tones = tones_hz.iter().filter(|f| **f < 0.5 * sampling_rate_hz).count();
-    let sought = (ORDER_OVER_PEAKS * (peaks.modes.len() + tones).max(l)).clamp(ORDER_RANGE[0], highest);
+    let tones = seen
+        .tones_hz
+        .iter()
+        .filter(|f| **f < 0.5 * sampling_rate_hz)
+        .count();
+    // buried peaks do not count: with more orders than the visible ones need, poles of noise recur
+    let peaks = seen.peaks.modes.len();
+    let sought = (ORDER_OVER_PEAKS * (peaks + tones).max(l)).clamp(ORDER_RANGE[0], highest);
     let periods = match options.method {
         Method::SsiCov | Method::Bayoma => PERIODS_REACHED_BY_COVARIANCE,
         Method::Plscf => PERIODS_REACHED_BY_LINES,
@@ -201,16 +218,25 @@ pub(super) fn choose(
 }
 
 /// The lowest and highest requested frequencies, or otherwise those of the peaks, Hz.
-fn peak_range_hz(options: &Identify, peaks: &Modes, rate_hz: f64) -> Result<[f64; 2], ModalError> {
-    let peak = |mode: Option<&Mode>, asked: Option<f64>| {
-        asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
+fn peak_range_hz(options: &Identify, seen: &Seen<'_>, rate_hz: f64) -> Result<[f64; 2], ModalError> {
+    let hz = |mode: &Mode| mode.frequency_hz;
+    let visible = seen.peaks.modes.iter().map(hz);
+    let buried = seen.buried.iter().map(|of| hz(&of.mode));
+    // low noise has peaks of its own, and its lags would be too long for the modes above
+    let lowest = visible
+        .clone()
+        .chain(buried.clone().filter(|_| seen.peaks.modes.is_empty()));
+    let lowest = lowest.reduce(f64::min);
+    let highest = visible.chain(buried).reduce(f64::max);
+    let peak = |peak_hz: Option<f64>, asked: Option<f64>| {
+        asked.or(peak_hz).ok_or(ModalError::NoPeak {
             prominence_db: options.fdd.prominence_db,
             low_hz: options.frequency_low_hz.unwrap_or(0.0),
             high_hz: options.frequency_high_hz.unwrap_or(0.5 * rate_hz),
         })
     };
-    let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
-    Ok([lowest_hz, peak(peaks.modes.last(), options.frequency_high_hz)?])
+    let lowest_hz = peak(lowest, options.frequency_low_hz.filter(|f| *f > 0.0))?;
+    Ok([lowest_hz, peak(highest, options.frequency_high_hz)?])
 }
 
 struct OrderBounds {

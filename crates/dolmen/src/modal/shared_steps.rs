@@ -193,10 +193,12 @@ pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
         .collect()
 }
 
-/// Clusters that recur, with a nearly real shape, but scatter or have too few orders, as modes. Our choice of the collinearity: a structure that moves
-/// alone has real shapes, and machines of the Palisaden record, whose lines are as wide as those of modes, reach 0.42 to 0.63.
+/// Least collinearity of what the lines may show. Our choice: a structure that moves alone has real shapes, and machines of the Palisaden record, whose
+/// lines are as wide as those of modes, reach 0.42 to 0.63.
+const COLLINEARITY_LEAST: f64 = 0.9;
+
+/// Clusters that recur, with a nearly real shape, but scatter or have too few orders, as modes.
 pub(super) fn undecided_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
-    const COLLINEARITY_LEAST: f64 = 0.9;
     let is_undecided = |c: &&Cluster| {
         matches!(c.fate, Fate::Scattered | Fate::FewOrders)
             && c.deviation.is_some()
@@ -206,6 +208,35 @@ pub(super) fn undecided_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
         .iter()
         .filter(is_undecided)
         .map(|c| mode_of(c, duration_s))
+        .collect()
+}
+
+/// Peaks of the spectrum with a nearly real shape at which no cluster recurs, as modes: the frequency is known to a part of the width of the peak, the
+/// damping ratio hardly. Where a cluster recurs, its shape is better known than that of the peak: of a machine it is complex.
+pub(super) fn undecided_peaks(peaks: &FddResult, clusters: &[Cluster]) -> Vec<Mode> {
+    const SD_OF_HALF_WIDTH: f64 = 0.4; // five deviations, which a fit may move by, are the width of the peak
+    let undecided = |(peak, width_hz): (&Mode, f64)| {
+        let damping_ratio = 0.5 * width_hz / peak.frequency_hz;
+        Mode {
+            damping_ratio: Some(damping_ratio),
+            frequency_sd_hz: Some(SD_OF_HALF_WIDTH * 0.5 * width_hz),
+            damping_ratio_sd: Some(damping_ratio),
+            ..peak.clone()
+        }
+    };
+    let seen = peaks.modes.modes.iter();
+    let seen = seen.zip(peaks.spectrum.half_power_width_hz.iter().copied());
+    let buried = peaks.buried.iter().map(|of| (&of.mode, of.width_hz));
+    let recurs_at = |mode: &Mode| {
+        let recurs = clusters.iter().filter(|c| c.deviation.is_some());
+        let width_hz = mode.frequency_hz * mode.damping_ratio.unwrap_or(0.0);
+        recurs
+            .into_iter()
+            .any(|c| (c.medoid.frequency_hz - mode.frequency_hz).abs() <= width_hz)
+    };
+    seen.chain(buried)
+        .map(undecided)
+        .filter(|mode| mode.phase_collinearity >= COLLINEARITY_LEAST && !recurs_at(mode))
         .collect()
 }
 

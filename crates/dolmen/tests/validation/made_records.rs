@@ -354,7 +354,7 @@ fn holds_a_mode_damped_by_less_than_usual_is_found_when_asked_for() {
         shape: shape.to_vec(),
     };
     let weak = mode(3.1, 0.0008, [0.3, 0.6, 0.8, 1.0]);
-    let narrow = mode(5.2, 0.0003, [0.6, 1.0, -0.4, -0.7]);
+    let narrow = mode(5.2, 0.000_15, [0.6, 1.0, -0.4, -0.7]);
     let made = MadeRecord {
         modes: vec![
             weak.clone(),
@@ -370,7 +370,7 @@ fn holds_a_mode_damped_by_less_than_usual_is_found_when_asked_for() {
     let usual = hz(&Identify::default());
     matched(&[weak.clone(), made.modes[2].clone()], &usual, made.seed);
     let criteria = Criteria {
-        damping_ratio_least: Some(0.0001),
+        damping_ratio_least: Some(0.000_05),
         ..Criteria::default()
     };
     let found = hz(&Identify {

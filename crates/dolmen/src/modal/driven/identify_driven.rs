@@ -12,7 +12,7 @@ use crate::modal::accept::{accepted, candidates, put_in};
 use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
 use crate::modal::quality::{Diagram, Quantities, to_one_quantity};
-use crate::modal::settings::{Settings, choose};
+use crate::modal::settings::{Seen, Settings, choose};
 use crate::modal::shared_steps::{judged, modes_of, note_blends, pick, spectrum, wanted};
 use crate::modal::subspace::{AllOrders, Cluster, Clustering, Fate, Stabilization, group_poles};
 use crate::modal::{Method, ModalError, Mode, Modes, Note};
@@ -86,7 +86,13 @@ pub(crate) fn of_driven(
         ..free.clone()
     };
     let seen = with_lowest(&peaks.modes, (record, &options.inputs));
-    let mut settings = choose(&outputs, &dense, (&seen, &[]), &mut notes)?;
+    let seen = Seen {
+        peaks: &seen,
+        // an observer needs no more poles than the peaks
+        buried: &[],
+        tones_hz: &[],
+    };
+    let mut settings = choose(&outputs, &dense, &seen, &mut notes)?;
     let slower = match settings.decimation {
         1 => record.clone(),
         factor => decimate(record.clone(), factor)?,

@@ -7,10 +7,11 @@
 //! modal forces, and of all other motion | r × m, m × m, r × r |
 //! | a, b | `rise`, `tilt` | exponents of the frequency in the force density, and in the density of all other motion | - |
 //! | S | | (f/f_m)^a Ψ (P ∘ D) Ψ* + (f/f_m)^b B | r × r |
+//! | Q | `quiet` | prior of B, of the weight of one line | r × r |
 
 use super::band_motion::{Oscillator, Spectra};
-use super::hermitian::{Part, add_hermitian, adjoint, hermitian, plus, scaled, times};
-use dolmen_linalg::{Complex64, ComplexMatrix};
+use super::hermitian::{Part, add_hermitian, adjoint, hermitian, lower, plus, real, scaled, times, whitened};
+use dolmen_linalg::{Complex64, ComplexMatrix, Matrix};
 
 const DAMPING_MOST: f64 = 0.5;
 /// Largest exponent of the frequency, positive or negative.
@@ -27,12 +28,23 @@ pub(super) struct Band {
     pub(super) shapes: ComplexMatrix,
     pub(super) forces: ComplexMatrix,
     pub(super) noise: ComplexMatrix,
+    /// Whether the forces of different modes are independent.
+    pub(super) independent: bool,
     /// Lowest and highest line, Hz: `forces` holds at their geometric mean.
     pub(super) range_hz: [f64; 2],
     /// Exponent of the frequency in the force density.
     pub(super) rise: f64,
-    /// Exponent of the frequency in the density of all other motion, if it is free.
-    pub(super) tilt: Option<f64>,
+    /// Exponent of the frequency in the density of all other motion, and its prior, if it is free.
+    pub(super) tilt: Option<Tilt>,
+}
+
+/// A free density of all other motion: a mode that hides it, or a band that is narrow, must not drive it out of what is possible.
+#[derive(Clone, Debug)]
+pub(super) struct Tilt {
+    /// Exponent of the frequency.
+    pub(super) exponent: f64,
+    /// Q: density that one line more, on which the modes are silent, is taken to show.
+    pub(super) quiet: ComplexMatrix,
 }
 
 /// One real free parameter.
@@ -60,10 +72,11 @@ impl Band {
                 free.extend([Part::Real, Part::Imaginary].map(|part| Free::Shape(row, mode, part)));
             }
         }
-        free.extend(hermitian(m).map(|(i, j, part)| Free::Force(i, j, part)));
+        let together = hermitian(m).filter(|(i, j, _)| i == j || !self.independent);
+        free.extend(together.map(|(i, j, part)| Free::Force(i, j, part)));
         free.extend(hermitian(r).map(|(i, j, part)| Free::Noise(i, j, part)));
         free.extend((m > 0).then_some(Free::Rise));
-        free.extend(self.tilt.map(|_| Free::Tilt));
+        free.extend(self.tilt.is_some().then_some(Free::Tilt));
         free
     }
 
@@ -77,7 +90,7 @@ impl Band {
                 Free::Force(i, j, part) => add_hermitian(&mut to.forces, (i, j), by * part.unit()),
                 Free::Noise(i, j, part) => add_hermitian(&mut to.noise, (i, j), by * part.unit()),
                 Free::Rise => to.rise += by,
-                Free::Tilt => to.tilt = to.tilt.map(|tilt| tilt + by),
+                Free::Tilt => to.tilt.iter_mut().for_each(|tilt| tilt.exponent += by),
             }
         }
         for i in 0..to.oscillators.len() {
@@ -99,7 +112,7 @@ impl Band {
         let damped = |o: &Oscillator| o.damping_ratio > 0.0 && o.damping_ratio < DAMPING_MOST;
         let most = self.exponent_most();
         self.rise.abs() < most
-            && self.tilt.is_none_or(|tilt| tilt.abs() < most)
+            && self.tilt.as_ref().is_none_or(|tilt| tilt.exponent.abs() < most)
             && self.oscillators.iter().all(|o| damped(o) && o.frequency_hz > 0.0)
             && (0..m).all(|i| self.forces[(i, i)].re > 0.0)
     }
@@ -108,7 +121,7 @@ impl Band {
     fn exponent_most(&self) -> f64 {
         let [low, high] = self.range_hz;
         let reach = (high / low).ln().max(f64::MIN_POSITIVE);
-        match self.tilt {
+        match &self.tilt {
             Some(_) => RISE_MOST.max(ACROSS_MOST / reach),
             None => RISE_MOST,
         }
@@ -133,8 +146,70 @@ impl Band {
 
     /// Density of all other motion relative to that at the middle of the band.
     fn tilted(&self, frequency_hz: f64) -> f64 {
-        self.tilt
-            .map_or(1.0, |tilt| (tilt * self.logarithm(frequency_hz)).exp())
+        let tilted = |tilt: &Tilt| (tilt.exponent * self.logarithm(frequency_hz)).exp();
+        self.tilt.as_ref().map_or(1.0, tilted)
+    }
+
+    /// Logarithm of the prior of B and of the exponents; 0 if B has no exponent. `None` if B is no density.
+    ///
+    /// ```text
+    /// - ln det B - tr B⁻¹ Q - (a² + b²)/2s²
+    /// ```
+    pub(super) fn log_prior(&self) -> Option<f64> {
+        let Some(tilt) = &self.tilt else { return Some(0.0) };
+        let lower = lower(&self.noise)?;
+        let white = whitened(&lower, &tilt.quiet);
+        let each = (0..white.rows()).map(|i| 2.0 * lower[(i, i)].re.ln() + white[(i, i)].re);
+        let exponents = (self.rise.powi(2) + tilt.exponent.powi(2)) / self.exponent_variance();
+        Some(-each.sum::<f64>() - 0.5 * exponents)
+    }
+
+    /// Adds its slopes and its information.
+    pub(super) fn add_prior(
+        &self,
+        free: &[Free],
+        gradient: &mut [f64],
+        information: &mut Matrix,
+    ) -> Option<()> {
+        let Some(tilt) = &self.tilt else { return Some(()) };
+        let r = self.noise.rows();
+        let lower = lower(&self.noise)?;
+        let white = whitened(&lower, &tilt.quiet);
+        let left = real(&ComplexMatrix::from_fn(r, r, |i, j| {
+            white[(i, j)] - f64::from(u8::from(i == j))
+        }));
+        let slope = |free: &Free| match *free {
+            Free::Noise(i, j, part) => {
+                let mut unit = ComplexMatrix::zeros(r, r);
+                add_hermitian(&mut unit, (i, j), part.unit());
+                Some(real(&whitened(&lower, &unit)))
+            }
+            _ => None,
+        };
+        let slopes: Vec<Option<Vec<f64>>> = free.iter().map(slope).collect();
+        let inner = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+        for (a, of) in free.iter().enumerate() {
+            let exponent = match of {
+                Free::Rise => Some(self.rise),
+                Free::Tilt => Some(tilt.exponent),
+                _ => None,
+            };
+            if let Some(exponent) = exponent {
+                gradient[a] -= exponent / self.exponent_variance();
+                information[(a, a)] += self.exponent_variance().recip();
+            }
+            let Some(slope) = &slopes[a] else { continue };
+            gradient[a] += inner(slope, &left);
+            for (b, other) in slopes.iter().enumerate() {
+                information[(a, b)] += other.as_ref().map_or(0.0, |other| inner(slope, other));
+            }
+        }
+        Some(())
+    }
+
+    /// s²: the largest exponent is four deviations off.
+    fn exponent_variance(&self) -> f64 {
+        (0.25 * self.exponent_most()).powi(2)
     }
 
     /// Force density relative to that at the middle of the band; constant outside the band.

@@ -143,7 +143,7 @@ pub(super) struct BandLines {
     pub(super) modes: Range<usize>,
     oscillators: Vec<Oscillator>,
     /// One shape for each mode.
-    shapes: Vec<Vec<Complex64>>,
+    pub(super) shapes: Vec<Vec<Complex64>>,
     lines: Range<usize>,
     sums: Vec<Vec<Complex64>>,
     /// Transformation from the channels to the coordinates of the fit.   shape: r × channels
@@ -402,6 +402,7 @@ impl BandLines {
             noise,
             range_hz: self.range_hz(),
             rise: 0.0,
+            independent: false,
             tilt: None,
         })
     }
@@ -506,9 +507,14 @@ impl BandLines {
         let found = &fit.band.oscillators[i];
         let variances = fit.variances()[i];
         let far = |by: f64, sd: Option<f64>| sd.is_none_or(|sd| by.abs() > DEVIATIONS_MOST * sd);
+        let as_found = Mode {
+            frequency_hz: found.frequency_hz,
+            damping_ratio: Some(found.damping_ratio),
+            ..mode.clone()
+        };
         let floors = [
-            mode.frequency_floor_hz(),
-            mode.damping_floor() * found.damping_ratio,
+            as_found.frequency_floor_hz(),
+            as_found.damping_floor() * found.damping_ratio,
         ];
         let known = |(variance, floor): (&f64, f64)| variance.sqrt() < FLOORS_MOST * floor;
         fit.band.coherence() <= COHERENCE_MOST

@@ -67,7 +67,7 @@ impl Diagram<'_> {
             },
             Stability::Damping => Refusal::Damping {
                 damping_ratio: middle(&|p| p.pole.damping_ratio),
-                least: criteria.damping_least_at(peak_hz, duration_s),
+                least: criteria.damping_estimate_least_at(peak_hz, duration_s),
                 most: criteria.damping_ratio_most,
             },
             Stability::Complex => Refusal::Complex {

@@ -10,10 +10,11 @@ use crate::modal::quality::doubt_channels;
 use crate::modal::quality::remark;
 use crate::modal::quality::{ClippedRecord, leave_out_clipped};
 use crate::modal::quality::{Diagram, leave_out_combs, of_steady, split_tones, test_for_machines};
-use crate::modal::settings::{Settings, choose};
+use crate::modal::settings::{Seen, Settings, choose};
 use crate::modal::shared_steps::{
     check, clipped_record, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
 };
+use crate::modal::spectrum::BuriedPeak;
 use crate::modal::subspace::check_ssi;
 use crate::modal::subspace::{AllOrders, Stabilization};
 use crate::modal::subspace::{Cluster, Clustering};
@@ -121,7 +122,12 @@ pub fn joint_setups(
     let all = peaks_of_all(records, &options, &mut notes)?;
     let peaks = all.peaks;
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
-    let mut settings = choose(shortest, &options, (&peaks, &all.tones_hz), &mut notes)?;
+    let seen = Seen {
+        peaks: &peaks,
+        buried: &all.buried,
+        tones_hz: &all.tones_hz,
+    };
+    let mut settings = choose(shortest, &options, &seen, &mut notes)?;
     let ssi = check_ssi(&settings.ssi(), places.channels.len())?;
     // indices among all sensors, not among the fixed ones
     settings.references.clone_from(&references);
@@ -256,6 +262,8 @@ fn common_places(
 struct PeaksOfAll<'a> {
     /// Peaks, each once and without machines.
     peaks: Modes,
+    /// Peaks of smaller singular values or wider averages alone, each once.
+    buried: Vec<BuriedPeak>,
     /// Frequencies of machines, Hz.
     tones_hz: Vec<f64>,
     /// The setups with their clipped channels.
@@ -268,7 +276,7 @@ fn peaks_of_all<'a>(
     notes: &mut Vec<Note>,
 ) -> Result<PeaksOfAll<'a>, ModalError> {
     let mut all: Option<Modes> = None;
-    let (mut tones_hz, mut clipped) = (Vec::new(), Vec::new());
+    let (mut tones_hz, mut buried, mut clipped) = (Vec::new(), Vec::new(), Vec::new());
     for record in records {
         // indices of references refer to the fixed sensors, but the spectrum uses all sensors
         check(record, options)?;
@@ -278,6 +286,7 @@ fn peaks_of_all<'a>(
         note_filter(record, options, notes);
         let mut peaks = spectrum(record, options)?;
         tones_hz.extend(split_tones(record, &mut peaks, options, notes)?.tones_hz);
+        buried.append(&mut peaks.buried);
         match &mut all {
             None => all = Some(peaks.modes),
             Some(all) => {
@@ -295,8 +304,11 @@ fn peaks_of_all<'a>(
         .sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     tones_hz.sort_by(f64::total_cmp);
     tones_hz.dedup_by(|a, b| (*a / *b - 1.0).abs() < ONE_PEAK);
+    buried.sort_by(|a, b| a.mode.frequency_hz.total_cmp(&b.mode.frequency_hz));
+    buried.dedup_by(|a, b| (a.mode.frequency_hz / b.mode.frequency_hz - 1.0).abs() < ONE_PEAK);
     Ok(PeaksOfAll {
         peaks: all,
+        buried,
         tones_hz,
         clipped,
     })

@@ -6,12 +6,13 @@
 //! | R_k | | correlations (spectral_matrices.rs) | unit² |
 //! | M | `lines` | largest lag of the window | - |
 
+use super::buried::{BuriedPeak, Place, buried_at};
 use super::spectral_matrices::SpectralMatrices;
 use crate::modal::error::refused;
 use crate::modal::indicators::{normalized, phase_collinearity};
 use crate::modal::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
-use dolmen_linalg::{ComplexMatrix, Matrix, hermitian_eigen, hermitian_eigenvalues};
+use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, hermitian_eigen, hermitian_eigenvalues};
 use std::ops::Range;
 
 /// Largest number of spectral lines: more lines need memory and show nothing more.
@@ -20,6 +21,8 @@ const LINES_MOST: usize = 16_384;
 const PARTS_LEAST: usize = 16;
 /// Number of lines from zero frequency that the removal of the mean and the lag window distort.
 const LINES_SPOILT: usize = 4;
+/// Independent spectra in the average of a line over the ratio of samples to lines, with Parzen's window.
+const AVERAGES_PER_PART: f64 = 1.85;
 
 /// Options of [`fdd`].
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +71,8 @@ pub struct FddResult {
     /// The spectrum of the analysis.
     pub spectrum: SingularSpectrum,
     pub(super) at_peaks: Vec<AtPeak>,
+    /// Peaks of smaller singular values or wider averages alone.
+    pub(crate) buried: Vec<BuriedPeak>,
 }
 
 /// Singular values and vectors of the spectral matrix at one peak.
@@ -162,36 +167,40 @@ pub(crate) fn peaks_of(
         .map_or(lines, |f| (f / step_hz) as usize);
     let first = ((options.frequency_low_hz / step_hz).ceil() as usize).max(LINES_SPOILT);
     let level: Vec<f64> = singular_values.iter().map(|s| decibel(s[0])).collect();
-    let peaks = peaks(&level, first..last.min(lines), options.prominence_db);
+    let range = first..last.min(lines);
+    let peaks = peaks(&level, range.clone(), options.prominence_db);
     let mut modes = Vec::with_capacity(peaks.len());
     let mut at_peaks = Vec::with_capacity(peaks.len());
     for peak in &peaks {
         let s = matrices.at(peak.line);
         let e = hermitian_eigen(&s)?;
-        let shape = normalized(e.vectors.column(l - 1));
         let frequency_hz = (peak.line as f64 + peak.offset) * step_hz;
         let share = 1.0 / (0..l).map(|c| s[(c, c)].re).sum::<f64>();
         at_peaks.push(AtPeak {
             frequency_hz,
             real: Matrix::from_fn(l, l, |i, j| share * s[(i, j)].re),
         });
-        modes.push(Mode {
+        modes.push(mode_at(
             frequency_hz,
-            frequency_sd_hz: None,
-            frequency_changes_hz: Vec::new(),
-            damping_ratio: None,
-            damping_ratio_sd: None,
-            phase_collinearity: phase_collinearity(&shape),
-            shape,
-            shape_sd: None,
-            cycles: frequency_hz * record.duration_s(),
-            orders: Vec::new(),
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
-        });
+            e.vectors.column(l - 1),
+            record.duration_s(),
+        ));
     }
+    let seen_hz: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
+    let averages = AVERAGES_PER_PART * record.length() as f64 / lines as f64;
+    let buried_peak = |at: Place| {
+        let e = hermitian_eigen(&matrices.at(at.line))?;
+        let vector = e.vectors.column(l - 1 - at.depth);
+        Ok(BuriedPeak {
+            mode: mode_at(at.line as f64 * step_hz, vector, record.duration_s()),
+            width_hz: at.width * step_hz,
+        })
+    };
+    let found = (range, step_hz, averages);
+    let buried = buried_at(&singular_values, found, options.prominence_db, &seen_hz)
+        .into_iter()
+        .map(buried_peak)
+        .collect::<Result<_, ModalError>>()?;
     Ok(FddResult {
         modes: Modes {
             modes,
@@ -210,7 +219,29 @@ pub(crate) fn peaks_of(
                 .collect(),
         },
         at_peaks,
+        buried,
     })
+}
+
+/// A mode without damping, at a peak.
+fn mode_at(frequency_hz: f64, vector: &[Complex64], duration_s: f64) -> Mode {
+    let shape = normalized(vector);
+    Mode {
+        frequency_hz,
+        frequency_sd_hz: None,
+        frequency_changes_hz: Vec::new(),
+        damping_ratio: None,
+        damping_ratio_sd: None,
+        phase_collinearity: phase_collinearity(&shape),
+        shape,
+        shape_sd: None,
+        cycles: frequency_hz * duration_s,
+        orders: Vec::new(),
+        kurtosis: None,
+        wander: None,
+        window_bias: None,
+        accepted: None,
+    }
 }
 
 pub(crate) fn decibel(power: f64) -> f64 {
@@ -218,7 +249,7 @@ pub(crate) fn decibel(power: f64) -> f64 {
 }
 
 /// Distance in lines between the points 3 dB below the peak at `line`, on straight lines through the spectrum.
-fn half_power_width(level: &[f64], line: usize) -> f64 {
+pub(super) fn half_power_width(level: &[f64], line: usize) -> f64 {
     const HALF_POWER_DB: f64 = 3.0103; // 10 log10 2
     let target = level[line] - HALF_POWER_DB;
     let reach = |next: &dyn Fn(usize) -> Option<usize>| {

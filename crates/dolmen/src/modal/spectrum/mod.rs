@@ -1,6 +1,7 @@
 //! Modes from the spectrum: from its peaks and the lines near them, and from matrix fractions fitted to half
 //! spectra.
 
+mod buried;
 mod efdd;
 mod fdd;
 mod fraction_deviation;
@@ -11,6 +12,7 @@ mod plscf_options;
 mod reference_channels;
 mod spectral_matrices;
 
+pub(super) use buried::BuriedPeak;
 pub use efdd::{Efdd, efdd};
 pub use fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 pub(super) use fdd::{decibel, peaks, peaks_of};

@@ -52,7 +52,7 @@ impl Pole {
     }
 
     /// Lower bound of the standard deviation of the frequency for a long record, f √(ζ/2πN_c) (Au 2014), Hz.
-    pub(crate) fn floor_hz(&self, duration_s: f64) -> f64 {
+    pub fn floor_hz(&self, duration_s: f64) -> f64 {
         let cycles = self.frequency_hz * duration_s;
         self.frequency_hz * (self.damping_ratio / (2.0 * PI * cycles)).sqrt()
     }

@@ -3,6 +3,7 @@
 use super::uncertainty::Deviations;
 use crate::modal::indicators::assurance;
 use crate::modal::{ModalError, Pole, Subspace};
+use std::f64::consts::PI;
 
 /// Criteria for poles.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +66,25 @@ impl Criteria {
         let [least, most] = DAMPING_LEAST;
         self.damping_ratio_least
             .unwrap_or_else(|| (HALF_WIDTH_LEAST / (frequency_hz * duration_s)).clamp(least, most))
+    }
+
+    /// Least estimate of a damping ratio with which a mode may have the least one: two standard deviations below it, but a line of half width.
+    /// A given least damping ratio has no such margin.
+    ///
+    /// ```text
+    /// ζ - 2 √(ζ/2πfT),   ζ f T ≥ 1
+    /// ```
+    pub fn damping_estimate_least_at(&self, frequency_hz: f64, duration_s: f64) -> f64 {
+        const DEVIATIONS: f64 = 2.0;
+        const HALF_WIDTH: f64 = 1.0; // a sine has 0.3 or less
+        let least = self.damping_least_at(frequency_hz, duration_s);
+        let cycles = frequency_hz * duration_s;
+        match self.damping_ratio_least {
+            Some(given) => given,
+            None => (least - DEVIATIONS * (least / (2.0 * PI * cycles)).sqrt())
+                .max(HALF_WIDTH / cycles)
+                .min(least),
+        }
     }
 
     /// The criteria with the frequency range further limited to this one, Hz.
@@ -188,7 +208,7 @@ pub(crate) fn judge_poles(
 
 fn hard(pole: &Pole, c: &Criteria, duration_s: f64) -> Option<Stability> {
     let in_range = (c.frequency_low_hz..=c.frequency_high_hz).contains(&pole.frequency_hz);
-    let damped = (c.damping_least_at(pole.frequency_hz, duration_s)..=c.damping_ratio_most)
+    let damped = (c.damping_estimate_least_at(pole.frequency_hz, duration_s)..=c.damping_ratio_most)
         .contains(&pole.damping_ratio);
     let real = pole.phase_collinearity >= c.phase_collinearity_least
         && pole.phase_deviation <= c.phase_deviation_most;
@@ -223,4 +243,27 @@ fn soft<'a>(pole: &Pole, below: impl Iterator<Item = &'a Pole>, c: &Criteria) ->
         })
         .max_by_key(rank)
         .unwrap_or(Stability::FrequencyMoved)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_least_estimates_are_two_deviations_below_the_least_ratio() {
+        let free = Criteria::default();
+        // 0.0005 - 2 √(0.0005/2π·12000)
+        let light = free.damping_estimate_least_at(20.0, 600.0);
+        assert!((light - 0.000_337_132_5).abs() < 1e-9, "{light}");
+        // one and a half lines, and a line
+        assert!((free.damping_least_at(2.0, 600.0) - 0.001_25).abs() < 1e-15);
+        assert!((free.damping_estimate_least_at(2.0, 600.0) - 1.0 / 1200.0).abs() < 1e-15);
+        // a record of few cycles resolves 0.002 at best
+        assert_eq!(free.damping_estimate_least_at(0.2, 600.0), 0.002);
+        let given = Criteria {
+            damping_ratio_least: Some(0.01),
+            ..Criteria::default()
+        };
+        assert_eq!(given.damping_estimate_least_at(20.0, 600.0), 0.01);
+    }
 }
