@@ -324,12 +324,7 @@ fn of_poles(
             .map_or_else(|| options.references.clone(), |few| few.channels.clone()),
         ..options.clone()
     };
-    let seen = Seen {
-        peaks: &peaks.modes,
-        buried: &peaks.buried,
-        tones_hz,
-    };
-    let chosen = choose(record, &with_few, &seen, notes);
+    let chosen = choose(record, &with_few, &Seen::of(&peaks, tones_hz), notes);
     let mut settings = chosen.map_err(|why| none_left(why, set_aside))?;
     settings.references_keep = few.map(|few| few.kept);
     let criteria = options.criteria.within(settings.range_hz);

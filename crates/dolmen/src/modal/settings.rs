@@ -3,7 +3,7 @@
 use super::correlations::{CLEAN_SHARE, lags_before};
 use super::error::{references_of, refused};
 use super::options::Identify;
-use super::spectrum::BuriedPeak;
+use super::spectrum::{BuriedPeak, FddResult};
 use super::subspace::HANKEL_ROWS_MOST;
 use super::subspace::Ssi;
 use super::{Method, ModalError, Mode, Modes, Note};
@@ -110,6 +110,29 @@ pub(super) struct Seen<'a> {
     pub(super) tones_hz: &'a [f64],
 }
 
+impl<'a> Seen<'a> {
+    pub(super) fn of(found: &'a FddResult, tones_hz: &'a [f64]) -> Self {
+        Seen {
+            peaks: &found.modes,
+            buried: &found.buried,
+            tones_hz,
+        }
+    }
+
+    /// Number of peaks, and of tones below a frequency, Hz. Buried peaks do not count: with more orders than the visible ones need, poles of noise recur.
+    fn needing_poles_below(&self, end_hz: f64) -> usize {
+        self.peaks.modes.len() + self.tones_hz.iter().filter(|f| **f < end_hz).count()
+    }
+
+    pub(super) fn peaks_alone(peaks: &'a Modes) -> Self {
+        Seen {
+            peaks,
+            buried: &[],
+            tones_hz: &[],
+        }
+    }
+}
+
 /// Settings of the subspace methods for a record with these peaks and tones.
 pub(super) fn choose(
     record: &Record,
@@ -128,14 +151,8 @@ pub(super) fn choose(
     let sampling_rate_hz = rate_hz / decimation as f64;
     let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
     let highest = ORDER_RANGE[1].max((ORDER_OVER_CHANNELS * l).min(ORDER_LIMIT) / 2 * 2);
-    let tones = seen
-        .tones_hz
-        .iter()
-        .filter(|f| **f < 0.5 * sampling_rate_hz)
-        .count();
-    // buried peaks do not count: with more orders than the visible ones need, poles of noise recur
-    let peaks = seen.peaks.modes.len();
-    let sought = (ORDER_OVER_PEAKS * (peaks + tones).max(l)).clamp(ORDER_RANGE[0], highest);
+    let poles = seen.needing_poles_below(0.5 * sampling_rate_hz);
+    let sought = (ORDER_OVER_PEAKS * poles.max(l)).clamp(ORDER_RANGE[0], highest);
     let periods = match options.method {
         Method::SsiCov | Method::Bayoma => PERIODS_REACHED_BY_COVARIANCE,
         Method::Plscf => PERIODS_REACHED_BY_LINES,

@@ -3,7 +3,7 @@
 use super::decay::{SHORT, short_spectrum};
 use super::error::{references_of, refused};
 use super::options::Identify;
-use super::quality::ClippedRecord;
+use super::quality::{ClippedRecord, unequal};
 use super::settings::passed_hz;
 use super::spectrum::{Efdd, Fdd, FddResult, efdd, fdd};
 use super::subspace::Deviations;
@@ -21,6 +21,9 @@ pub(super) fn note_filter(record: &Record, options: &Identify, notes: &mut Vec<N
     }
 }
 
+/// Fewest equally strong blocks of time whose spectrum shows buried peaks: that of an earthquake has too few averages.
+const STEADY_BLOCKS_LEAST: usize = 10;
+
 pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError> {
     let fdd_options = Fdd {
         frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
@@ -33,7 +36,7 @@ pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult,
         .reduce(f64::min),
         ..options.fdd.clone()
     };
-    match options.method {
+    let mut found = match options.method {
         method @ (Method::Efdd | Method::Fsdd) => efdd(
             record,
             &Efdd {
@@ -44,7 +47,11 @@ pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult,
         ),
         Method::Era if record.length() < SHORT => short_spectrum(record, &fdd_options),
         _ => fdd(record, &fdd_options),
+    }?;
+    if unequal(record, options.time_blocks).time_blocks < STEADY_BLOCKS_LEAST {
+        found.buried.clear();
     }
+    Ok(found)
 }
 
 pub(super) fn note_blends(clusters: &[Cluster], notes: &mut Vec<Note>) {

@@ -86,13 +86,8 @@ pub(crate) fn of_driven(
         ..free.clone()
     };
     let seen = with_lowest(&peaks.modes, (record, &options.inputs));
-    let seen = Seen {
-        peaks: &seen,
-        // an observer needs no more poles than the peaks
-        buried: &[],
-        tones_hz: &[],
-    };
-    let mut settings = choose(&outputs, &dense, &seen, &mut notes)?;
+    // an observer needs no more poles than the peaks
+    let mut settings = choose(&outputs, &dense, &Seen::peaks_alone(&seen), &mut notes)?;
     let slower = match settings.decimation {
         1 => record.clone(),
         factor => decimate(record.clone(), factor)?,

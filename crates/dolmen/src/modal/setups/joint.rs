@@ -120,14 +120,9 @@ pub fn joint_setups(
     };
     let mut notes = Vec::new();
     let all = peaks_of_all(records, &options, &mut notes)?;
-    let peaks = all.peaks;
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
-    let seen = Seen {
-        peaks: &peaks,
-        buried: &all.buried,
-        tones_hz: &all.tones_hz,
-    };
-    let mut settings = choose(shortest, &options, &seen, &mut notes)?;
+    let mut settings = choose(shortest, &options, &all.seen(), &mut notes)?;
+    let peaks = all.peaks;
     let ssi = check_ssi(&settings.ssi(), places.channels.len())?;
     // indices among all sensors, not among the fixed ones
     settings.references.clone_from(&references);
@@ -268,6 +263,16 @@ struct PeaksOfAll<'a> {
     tones_hz: Vec<f64>,
     /// The setups with their clipped channels.
     clipped: Vec<ClippedRecord<'a>>,
+}
+
+impl PeaksOfAll<'_> {
+    fn seen(&self) -> Seen<'_> {
+        Seen {
+            peaks: &self.peaks,
+            buried: &self.buried,
+            tones_hz: &self.tones_hz,
+        }
+    }
 }
 
 fn peaks_of_all<'a>(

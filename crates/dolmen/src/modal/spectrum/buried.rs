@@ -7,7 +7,7 @@
 //! | w | `width` | number of lines that are averaged | – |
 //! | ν | `averages` | independent spectra in the average of a line | – |
 
-use super::fdd::{decibel, half_power_width, peaks};
+use super::level_peaks::{decibel, half_power_width, peaks};
 use crate::modal::Mode;
 use std::ops::Range;
 
