@@ -235,11 +235,9 @@ pub(super) fn undecided_peaks(peaks: &FddResult, clusters: &[Cluster]) -> Vec<Mo
     let seen = seen.zip(peaks.spectrum.half_power_width_hz.iter().copied());
     let buried = peaks.buried.iter().map(|of| (&of.mode, of.width_hz));
     let recurs_at = |mode: &Mode| {
-        let recurs = clusters.iter().filter(|c| c.deviation.is_some());
-        let width_hz = mode.frequency_hz * mode.damping_ratio.unwrap_or(0.0);
-        recurs
-            .into_iter()
-            .any(|c| (c.medoid.frequency_hz - mode.frequency_hz).abs() <= width_hz)
+        let half_width_hz = mode.frequency_hz * mode.damping_ratio.unwrap_or(0.0);
+        let is_here = |c: &Cluster| (c.medoid.frequency_hz - mode.frequency_hz).abs() <= half_width_hz;
+        clusters.iter().any(|c| c.deviation.is_some() && is_here(c))
     };
     seen.chain(buried)
         .map(undecided)

@@ -507,4 +507,19 @@ mod tests {
         let off = found.oscillators[0].damping_ratio / 0.01 - 1.0;
         assert!(off.abs() < 0.1 && found.noise[(0, 0)].re > 0.0, "{found:?}");
     }
+    #[test]
+    fn exact_independent_forces_stay_so() {
+        let truth = Band {
+            forces: matrix([[(2.0, 0.0), (0.0, 0.0)], [(0.0, 0.0), (1.0, 0.0)]]),
+            independent: true,
+            ..pair()
+        };
+        let mut start = truth.clone();
+        start.oscillators[0].damping_ratio = 0.013;
+        let found = fit(&exact(&truth), start, RECORDED).unwrap();
+        assert_eq!(found.free.len() + 2, pair().free().len());
+        assert_eq!(found.band.coherence(), 0.0);
+        let damping = found.band.oscillators[0].damping_ratio;
+        assert!((damping / 0.01 - 1.0).abs() < 2e-3, "{damping}");
+    }
 }

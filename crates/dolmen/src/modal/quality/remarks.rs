@@ -14,6 +14,17 @@ fn told_hz(note: &Note) -> Vec<f64> {
     }
 }
 
+/// Keeps of the modes that only the lines show those that later tests left.
+fn keep_shown(modes: &[Mode], notes: &mut Vec<Note>) {
+    notes.retain_mut(|note| match note {
+        Note::FromPeaks { frequency_hz } => {
+            frequency_hz.retain(|hz| modes.iter().any(|mode| mode.frequency_hz == *hz));
+            !frequency_hz.is_empty()
+        }
+        _ => true,
+    });
+}
+
 /// `why` gives the test that refused a peak of the spectrum.
 pub(crate) fn remark(
     modes: &Modes,
@@ -22,6 +33,7 @@ pub(crate) fn remark(
     notes: &mut Vec<Note>,
 ) {
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
+    keep_shown(&modes.modes, notes);
     let picked_away = |peak: &Mode| not_picked_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
     let told_hz: Vec<f64> = notes.iter().flat_map(told_hz).collect();
     let is_told = |peak: &Mode| told_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
@@ -88,4 +100,20 @@ pub(crate) fn explained(peak: &Mode, modes: &[Mode]) -> bool {
 pub(crate) fn near(frequency_hz: f64, peak_hz: f64) -> bool {
     const NEAR: f64 = 0.03;
     (frequency_hz / peak_hz - 1.0).abs() <= NEAR
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_no_mode_that_was_left_out_is_said_to_be_shown_by_the_lines() {
+        let kept = [Mode::made(2.0, 0.01, &[1.0])];
+        let from = |frequency_hz: &[f64]| Note::FromPeaks {
+            frequency_hz: frequency_hz.to_vec(),
+        };
+        let mut notes = vec![from(&[2.0, 4.2]), from(&[4.2])];
+        keep_shown(&kept, &mut notes);
+        assert_eq!(notes, [from(&[2.0])]);
+    }
 }
