@@ -187,6 +187,7 @@ impl Advice for ChannelFault {
             | Self::Faint { .. }
             | Self::Stuck { .. }
             | Self::Faded { .. }
+            | Self::Loose { .. }
             | Self::Alike { .. }
             | Self::Spikes { .. }
             | Self::Clipped { .. }
@@ -198,7 +199,7 @@ impl Advice for ChannelFault {
 impl Advice for Note {
     fn advice(&self) -> Option<Both> {
         match self {
-            Self::Channel(fault) => fault.advice(),
+            Self::Channel(fault) | Self::LeftOut(fault) => fault.advice(),
             Self::FilteredAbove { .. } => says(Advised::LowerDecimation),
             Self::ClockDrift { .. } => says(Advised::GiveRates),
             Self::LateClocks { .. } | Self::EitherLate { .. } => says(Advised::AddDelays),

@@ -21,6 +21,8 @@ pub enum SensorFault {
     Stuck,
     /// Its strength changed tenfold during the record.
     Faded,
+    /// The strength of its fast motion changes back and forth.
+    Loose,
     /// It is almost the same signal as another one.
     Alike,
     /// It drifts by far more than it oscillates.
@@ -35,11 +37,12 @@ pub enum SensorFault {
 
 impl SensorFault {
     /// All kinds.
-    const ALL: [SensorFault; 9] = [
+    const ALL: [SensorFault; 10] = [
         SensorFault::Dead,
         SensorFault::Faint,
         SensorFault::Stuck,
         SensorFault::Faded,
+        SensorFault::Loose,
         SensorFault::Alike,
         SensorFault::Drifts,
         SensorFault::Spikes,
@@ -54,6 +57,7 @@ impl SensorFault {
             ChannelFault::Faint { channel, .. } => (channel, SensorFault::Faint),
             ChannelFault::Stuck { channel, .. } => (channel, SensorFault::Stuck),
             ChannelFault::Faded { channel, .. } => (channel, SensorFault::Faded),
+            ChannelFault::Loose { channel, .. } => (channel, SensorFault::Loose),
             ChannelFault::Alike { channel, .. } => (channel, SensorFault::Alike),
             ChannelFault::Drifts { channel, .. } => (channel, SensorFault::Drifts),
             ChannelFault::Spikes { channel, .. } => (channel, SensorFault::Spikes),
@@ -70,6 +74,7 @@ impl SensorFault {
             SensorFault::Faint => "faint",
             SensorFault::Stuck => "stuck",
             SensorFault::Faded => "faded",
+            SensorFault::Loose => "loose",
             SensorFault::Alike => "alike",
             SensorFault::Drifts => "drifts",
             SensorFault::Spikes => "spikes",
@@ -88,7 +93,11 @@ impl SensorFault {
     fn records_least(self) -> Option<usize> {
         match self {
             SensorFault::Dead | SensorFault::Faint | SensorFault::Duplicated => Some(1),
-            SensorFault::Stuck | SensorFault::Faded | SensorFault::Drifts | SensorFault::Clipped => Some(2),
+            SensorFault::Stuck
+            | SensorFault::Faded
+            | SensorFault::Loose
+            | SensorFault::Drifts
+            | SensorFault::Clipped => Some(2),
             SensorFault::Alike | SensorFault::Spikes => None,
         }
     }

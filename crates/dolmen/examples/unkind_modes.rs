@@ -54,6 +54,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut total = Total::default();
     for seed in first.parse::<u64>()?..=last.parse()? {
         let made = UnkindPlan::drawn(seed).make()?;
+        if std::env::var("DBG").is_ok() {
+            for t in &made.plan.tones {
+                eprintln!(
+                    "TONE {} {} {} {:?} {} {}",
+                    t.frequency_hz,
+                    t.strength,
+                    t.share,
+                    t.over_mode,
+                    t.by_cable,
+                    t.over_mode.map_or(0.0, |m| over_mode(&made.plan, t, m))
+                );
+            }
+        }
         let record = whole(&made)?;
         total.records += 1;
         let analysis = identify(&record, &options);
@@ -211,10 +224,11 @@ impl Total {
             if !is_named(mode.frequency_hz) && !is_doubted(mode.frequency_hz) {
                 false_here += 1;
                 said.push(format!(
-                    "FALSE mode {:.4} Hz, damping {:.2} %, orders {:?}",
+                    "FALSE mode {:.4} Hz, damping {:.2} %, orders {:?}{}",
                     mode.frequency_hz,
                     100.0 * mode.damping_ratio.unwrap_or(0.0),
-                    mode.orders.len()
+                    mode.orders.len(),
+                    beside(mode, made, analysis, &kept)
                 ));
             }
         }
@@ -248,8 +262,12 @@ impl Total {
             }
             if tone.over_mode.is_some() && !is_here {
                 said.push(format!(
-                    "tone on the mode at {:.4} Hz, {:.2} as strong in {:.2} of the time, not named",
-                    tone.frequency_hz, tone.strength, tone.share
+                    "tone on the mode at {:.4} Hz, {:.2} as strong in {:.2} of the time, its line {:.0} times the mode, not named{}",
+                    tone.frequency_hz,
+                    tone.strength,
+                    tone.share,
+                    tone.over_mode.map_or(0.0, |mode| over_mode(plan, tone, mode)),
+                    if is_doubted(tone.frequency_hz) { " (narrow)" } else { "" }
                 ));
             }
         }
@@ -405,6 +423,63 @@ fn groups_at(truth: &UnkindMode, analysis: &ModalAnalysis, kept: &[usize]) -> St
         )
     });
     each.collect()
+}
+
+/// What a mode that is none is like: the modes that were given near it, and the true ones.
+fn beside(mode: &Mode, made: &UnkindRecord, analysis: &ModalAnalysis, kept: &[usize]) -> String {
+    let is_near = |hz: f64| (hz / mode.frequency_hz - 1.0).abs() < 0.05;
+    let given = analysis
+        .modes
+        .modes
+        .iter()
+        .filter(|of| is_near(of.frequency_hz) && !std::ptr::eq(*of, mode))
+        .map(|of| {
+            format!(
+                "; given {:.4} Hz, {:.2} %, MAC {:.3} ({}; loose {:?} clock {:?})",
+                of.frequency_hz,
+                100.0 * of.damping_ratio.unwrap_or(0.0),
+                assurance(&of.shape, &mode.shape),
+                single(&of.shape, &mode.shape),
+                made.plan.loose,
+                made.plan.clock
+            )
+        });
+    let true_ones = made
+        .modes
+        .iter()
+        .filter(|of| is_near(of.mode.frequency_hz))
+        .map(|of| {
+            let shape: Vec<Complex64> = kept
+                .iter()
+                .map(|c| Complex64::new(of.mode.shape[*c], 0.0))
+                .collect();
+            format!(
+                "; true {:.4} Hz, MAC {:.3}",
+                of.mode.frequency_hz,
+                assurance(&shape, &mode.shape)
+            )
+        });
+    given.chain(true_ones).collect()
+}
+
+fn single(a: &[Complex64], b: &[Complex64]) -> String {
+    let norm = |x: &[Complex64]| x.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+    let (na, nb) = (norm(a), norm(b));
+    let a: Vec<Complex64> = a.iter().map(|x| *x / na).collect();
+    let b: Vec<Complex64> = b.iter().map(|x| *x / nb).collect();
+    let dot = a
+        .iter()
+        .zip(&b)
+        .fold(Complex64::new(0.0, 0.0), |s, (x, y)| s + x.conj() * y);
+    let r: Vec<Complex64> = b.iter().zip(&a).map(|(y, x)| *y - *x * dot).collect();
+    let nr = norm(&r);
+    let each: Vec<f64> = (0..a.len())
+        .map(|c| a[c].norm_sqr() + (r[c] / nr).norm_sqr())
+        .collect();
+    let best = (0..a.len())
+        .max_by(|x, y| each[*x].total_cmp(&each[*y]))
+        .unwrap_or(0);
+    format!("c{} {:.4} of plane", best, each[best])
 }
 
 fn reason(refusal: Option<Refusal>) -> &'static str {

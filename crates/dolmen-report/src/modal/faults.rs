@@ -1,6 +1,6 @@
 //! Apparent faults of a channel.
 
-use super::values::{fixed, plain, seconds};
+use super::values::{fixed, percent, plain, seconds};
 use dolmen::signal::ChannelFault;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
@@ -22,6 +22,10 @@ messages! {
         Faded { channel: String, factor: Quantity, from: Quantity, to: Quantity } => {
             en: "Channel \"{channel}\" changes its strength against the others {factor}-fold during the record, least from {from} to {to}: a loose contact; cut the record there, or leave the channel out.",
             ko: "채널 \"{channel}\": 다른 채널에 대한 세기가 기록 중 {factor}배 변한다({from}부터 {to}까지 최소). 접촉 불량이므로 그 구간을 잘라 내거나 채널을 제외해야 한다.",
+        },
+        Loose { channel: String, factor: Quantity, times: usize, share: Quantity, first: Quantity } => {
+            en: "Channel \"{channel}\": its fast motion grows {factor}-fold and falls back, {times} times, in {share} of the record together, first at {first}, and no other channel does so: a loose sensor or cable; look at it.",
+            ko: "채널 \"{channel}\": 빠른 성분이 {factor}배 커졌다가 되돌아가기를 {times}회 반복한다(기록의 {share}, 첫 시각 {first}). 다른 채널에는 그런 변화가 없다. 센서 고정이나 케이블 접촉이 불량하므로 점검해야 한다.",
         },
         Alike { channel: String, other: String, correlation: Quantity } => {
             en: "Channels \"{channel}\" and \"{other}\" are almost one signal (correlation of their steps {correlation}): one cable on two inputs, or two sensors at one place.",
@@ -88,6 +92,19 @@ pub(crate) fn fault_words(fault: &ChannelFault) -> Sentence {
             factor: fixed(factor, 0),
             from: time(from_s, 0),
             to: time(to_s, 0),
+        },
+        ChannelFault::Loose {
+            channel,
+            factor,
+            share,
+            times,
+            first_s,
+        } => Faults::Loose {
+            channel,
+            factor: fixed(factor, 1),
+            times,
+            share: percent(share, 0),
+            first: time(first_s, 0),
         },
         ChannelFault::Alike {
             channel,

@@ -19,6 +19,10 @@ messages! {
             en: "{fault} It was used all the same.",
             ko: "{fault} 그대로 사용하였다.",
         },
+        LeftOut { fault: Sentence } => {
+            en: "{fault} It was left out of the modes.",
+            ko: "{fault} 모드 식별에서 제외하였다.",
+        },
         BlockRowsBounded { taken: usize, wished: usize } => {
             en: "{taken} block rows instead of {wished}, to keep the matrices in bounds: modes that lie close together are told apart less well.",
             ko: "행렬 크기를 제한하기 위해 블록 행을 {wished}개 대신 {taken}개로 하였다. 서로 가까운 모드의 구별이 어려워진다.",
@@ -178,6 +182,9 @@ messages! {
 pub(super) fn note_words(note: &Note) -> Sentence {
     match note {
         Note::Channel(fault) => Notes::UsedAllTheSame {
+            fault: fault_words(fault),
+        },
+        Note::LeftOut(fault) => Notes::LeftOut {
             fault: fault_words(fault),
         },
         Note::BlockRowsBounded { wished, taken } => Notes::BlockRowsBounded {

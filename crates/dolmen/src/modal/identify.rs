@@ -35,7 +35,7 @@ use super::spectrum::{REFERENCES_LEAST, keeping_most, least_of_wide};
 use super::subspace::{AllOrders, Cluster, Criteria, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Mode, Modes, Note, Propagation, Refusal};
-use crate::signal::{Record, leave_out};
+use crate::signal::{ChannelFault, Record, leave_out};
 
 /// Modes of an ambient record, without user interaction: spectrum, a subspace method at all orders, clusters. Some values of
 /// `method` use only the peaks of the spectrum.
@@ -73,6 +73,11 @@ fn as_one_state(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     note_filter(record, options, &mut notes);
     if options.method == Method::Okid {
         return of_driven((record, options), notes, &as_one_state);
+    }
+    if options.method != Method::Era
+        && let Some(rest) = without_loose_sensors(record, options, &notes)
+    {
+        return Ok(rest);
     }
     if options.method != Method::Era
         && let Some(brought_together) = without_off_clocks(record, options, &notes)
@@ -205,19 +210,45 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
     Some(alone)
 }
 
+/// Options for `kept`, some channels of `record`.
+fn with_references_of(kept: &Record, record: &Record, options: &Identify) -> Identify {
+    let place = |reference: &usize| {
+        let name = &record.channels().get(*reference)?.name;
+        kept.channels().iter().position(|own| own.name == *name)
+    };
+    Identify {
+        references: options.references.iter().filter_map(place).collect(),
+        ..options.clone()
+    }
+}
+
+/// Identification without loose sensors, if there are any: their amplitude is wrong, and a mode whose strength at one sensor changes with time appears as
+/// two. `notes` are those on the channels.
+fn without_loose_sensors(record: &Record, options: &Identify, notes: &[Note]) -> Option<ModalAnalysis> {
+    let loose: Vec<&ChannelFault> = notes
+        .iter()
+        .filter_map(|note| match note {
+            Note::Channel(fault @ ChannelFault::Loose { .. }) => Some(fault),
+            _ => None,
+        })
+        .collect();
+    if loose.is_empty() {
+        return None;
+    }
+    let names: Vec<&str> = loose.iter().map(|fault| fault.channel()).collect();
+    let kept = leave_out(record.clone(), &names).ok()?;
+    let mut found = as_one_state(&kept, &with_references_of(&kept, record, options)).ok()?;
+    let left_out = loose.into_iter().cloned().map(Note::LeftOut);
+    found.notes.splice(0..0, left_out);
+    Some(found)
+}
+
 /// Identification without the channels whose phases contradict those of the others, if there are any. `notes` are those on the channels.
 fn without_off_clocks(record: &Record, options: &Identify, notes: &[Note]) -> Option<ModalAnalysis> {
     let off = off_clocks(record);
     let kept = off.taken_off(record).ok()??;
     let as_given = |name: &str| record.channels().iter().find(|own| own.name == name);
-    let place = |reference: &usize| {
-        let name = &record.channels().get(*reference)?.name;
-        kept.channels().iter().position(|own| own.name == *name)
-    };
-    let options = Identify {
-        references: options.references.iter().filter_map(place).collect(),
-        ..options.clone()
-    };
+    let options = with_references_of(&kept, record, options);
     let is_whole = kept.channels().len() == record.channels().len();
     let mut found = match is_whole {
         true => of_ambient(&kept, &options, notes.to_vec()),

@@ -10,6 +10,8 @@ use crate::signal::ChannelFault;
 pub enum Note {
     /// A faint or clipped channel that is used anyway.
     Channel(ChannelFault),
+    /// A loose channel that was left out.
+    LeftOut(ChannelFault),
     /// The block rows are fewer than recommended, to limit the size of the matrices.
     BlockRowsBounded {
         /// Recommended number.
@@ -223,6 +225,7 @@ impl std::fmt::Display for Note {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Note::Channel(fault) => write!(f, "{fault} (it was used all the same)"),
+            Note::LeftOut(fault) => write!(f, "{fault} (it was left out of the modes)"),
             Note::BlockRowsBounded { wished, taken } => write!(
                 f,
                 "{taken} block rows instead of {wished}, to keep the Hankel matrix below {HANKEL_ROWS_MOST} rows: modes \

@@ -2,6 +2,7 @@
 
 use super::Record;
 use super::fault_runs::{BlockStrengths, FirstSteps, alike, drifts, faded, spikes, stuck};
+use super::loose_sensors::{FastMotion, loose};
 use crate::numeric::{largest_of, middle, sum_of};
 use std::fmt;
 
@@ -59,6 +60,20 @@ pub enum ChannelFault {
         /// End of the weakest part, s.
         to_s: f64,
     },
+    /// The fast motion of the channel changes back and forth between two strengths, while that of the other channels of its kind does not: a loose
+    /// sensor or cable.
+    Loose {
+        /// Name of the channel.
+        channel: String,
+        /// Strength of the stronger state over that of the weaker one, –.
+        factor: f64,
+        /// Share of the time in the stronger state, –.
+        share: f64,
+        /// Number of times that the stronger state begins.
+        times: usize,
+        /// Time at which it first begins, s from the start.
+        first_s: f64,
+    },
     /// The signal is almost that of another channel.
     Alike {
         /// Name of the first channel.
@@ -114,6 +129,7 @@ impl ChannelFault {
             | Self::Faint { channel, .. }
             | Self::Stuck { channel, .. }
             | Self::Faded { channel, .. }
+            | Self::Loose { channel, .. }
             | Self::Alike { channel, .. }
             | Self::Drifts { channel, .. }
             | Self::Spikes { channel, .. }
@@ -125,7 +141,9 @@ impl ChannelFault {
     pub(super) fn times_s_mut(&mut self) -> Vec<&mut f64> {
         match self {
             Self::Stuck { from_s, to_s, .. } | Self::Faded { from_s, to_s, .. } => vec![from_s, to_s],
-            Self::Spikes { first_s, .. } | Self::Clipped { first_s, .. } => vec![first_s],
+            Self::Spikes { first_s, .. } | Self::Clipped { first_s, .. } | Self::Loose { first_s, .. } => {
+                vec![first_s]
+            }
             Self::Constant { .. }
             | Self::Faint { .. }
             | Self::Alike { .. }
@@ -170,6 +188,18 @@ impl fmt::Display for ChannelFault {
                 f,
                 "channel \"{channel}\" changes its strength against the others {factor:.0}-fold during the record, least from \
                  {from_s:.0} to {to_s:.0} s: a loose contact; cut the record there, or leave the channel out"
+            ),
+            Self::Loose {
+                channel,
+                factor,
+                share,
+                times,
+                first_s,
+            } => write!(
+                f,
+                "channel \"{channel}\": its fast motion grows {factor:.1}-fold and falls back, {times} times, in {:.0} % of the \
+                 record together, first at {first_s:.0} s, and no other channel does so: a loose sensor or cable; look at it",
+                100.0 * share
             ),
             Self::Alike {
                 channel,
@@ -225,12 +255,12 @@ impl fmt::Display for ChannelFault {
 /// - is constant, or repeats one value for a second,
 /// - is more than 60 dB weaker than the median of its kind, both in deviation and in steps (so drift alone neither hides nor imitates this
 ///   fault),
-/// - stays at an exact extreme, changes its strength or has many spikes, or
+/// - stays at an exact extreme, changes its strength once or back and forth, or has many spikes, or
 /// - equals another channel, exactly or almost, except for a factor.
 ///
 /// # Limits
 /// Inspect the record as measured, because filters smooth clipped crests. Strengths are compared only among three or more channels that measure
-/// the same quantity.
+/// the same quantity, changes back and forth only among four or more, in a record of a minute or more.
 ///
 /// # Example
 /// ```
@@ -251,6 +281,9 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
         .collect();
     let blocks: Vec<Option<BlockStrengths>> = (0..record.channels().len())
         .map(|c| BlockStrengths::of(record.samples(c)))
+        .collect();
+    let motions: Vec<Option<FastMotion>> = (0..record.channels().len())
+        .map(|c| FastMotion::of(record.samples(c), record.sampling_rate_hz()))
         .collect();
     let steps: Vec<FirstSteps> = (0..record.channels().len())
         .map(|c| FirstSteps::of(record.samples(c)))
@@ -304,10 +337,19 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
             });
         }
         let same_kind = |other: usize| record.channels()[other].quantity == channel.quantity;
-        let others: Vec<&BlockStrengths> = (0..record.channels().len())
+        let others: Vec<usize> = (0..record.channels().len())
             .filter(|other| *other != c && same_kind(*other) && strengths[*other].largest_step > 0.0)
-            .filter_map(|other| blocks[other].as_ref())
             .collect();
+        if let Some(loose) = loose(record, c, &others, &motions) {
+            faults.push(ChannelFault::Loose {
+                channel: name(),
+                factor: loose.factor,
+                share: loose.share,
+                times: loose.times,
+                first_s: loose.first as f64 / rate_hz,
+            });
+        }
+        let others: Vec<&BlockStrengths> = others.iter().filter_map(|c| blocks[*c].as_ref()).collect();
         let own = blocks[c].as_ref().filter(|_| !is_stuck);
         if let Some(faded) = own.and_then(|own| faded(own, &others)) {
             faults.push(ChannelFault::Faded {

@@ -19,6 +19,7 @@ pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]
             fault,
             ChannelFault::Faint { .. }
                 | ChannelFault::Faded { .. }
+                | ChannelFault::Loose { .. }
                 | ChannelFault::Spikes { .. }
                 | ChannelFault::Alike { .. }
         )

@@ -15,6 +15,7 @@ mod filter;
 mod ground_motion;
 mod join;
 mod leave_out;
+mod loose_sensors;
 mod lost;
 mod measures;
 mod motion_cursor;
