@@ -54,19 +54,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut total = Total::default();
     for seed in first.parse::<u64>()?..=last.parse()? {
         let made = UnkindPlan::drawn(seed).make()?;
-        if std::env::var("DBG").is_ok() {
-            for t in &made.plan.tones {
-                eprintln!(
-                    "TONE {} {} {} {:?} {} {}",
-                    t.frequency_hz,
-                    t.strength,
-                    t.share,
-                    t.over_mode,
-                    t.by_cable,
-                    t.over_mode.map_or(0.0, |m| over_mode(&made.plan, t, m))
-                );
-            }
-        }
         let record = whole(&made)?;
         total.records += 1;
         let analysis = identify(&record, &options);
@@ -435,13 +422,10 @@ fn beside(mode: &Mode, made: &UnkindRecord, analysis: &ModalAnalysis, kept: &[us
         .filter(|of| is_near(of.frequency_hz) && !std::ptr::eq(*of, mode))
         .map(|of| {
             format!(
-                "; given {:.4} Hz, {:.2} %, MAC {:.3} ({}; loose {:?} clock {:?})",
+                "; given {:.4} Hz, {:.2} %, MAC {:.3}",
                 of.frequency_hz,
                 100.0 * of.damping_ratio.unwrap_or(0.0),
-                assurance(&of.shape, &mode.shape),
-                single(&of.shape, &mode.shape),
-                made.plan.loose,
-                made.plan.clock
+                assurance(&of.shape, &mode.shape)
             )
         });
     let true_ones = made
@@ -460,26 +444,6 @@ fn beside(mode: &Mode, made: &UnkindRecord, analysis: &ModalAnalysis, kept: &[us
             )
         });
     given.chain(true_ones).collect()
-}
-
-fn single(a: &[Complex64], b: &[Complex64]) -> String {
-    let norm = |x: &[Complex64]| x.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
-    let (na, nb) = (norm(a), norm(b));
-    let a: Vec<Complex64> = a.iter().map(|x| *x / na).collect();
-    let b: Vec<Complex64> = b.iter().map(|x| *x / nb).collect();
-    let dot = a
-        .iter()
-        .zip(&b)
-        .fold(Complex64::new(0.0, 0.0), |s, (x, y)| s + x.conj() * y);
-    let r: Vec<Complex64> = b.iter().zip(&a).map(|(y, x)| *y - *x * dot).collect();
-    let nr = norm(&r);
-    let each: Vec<f64> = (0..a.len())
-        .map(|c| a[c].norm_sqr() + (r[c] / nr).norm_sqr())
-        .collect();
-    let best = (0..a.len())
-        .max_by(|x, y| each[*x].total_cmp(&each[*y]))
-        .unwrap_or(0);
-    format!("c{} {:.4} of plane", best, each[best])
 }
 
 fn reason(refusal: Option<Refusal>) -> &'static str {

@@ -121,20 +121,15 @@ pub(crate) fn fault_words(fault: &ChannelFault) -> Sentence {
         },
         ChannelFault::Spikes {
             channel,
-            count: 1,
-            first_s,
-        } => Faults::OneSpike {
-            channel,
-            first: time(first_s, 2),
-        },
-        ChannelFault::Spikes {
-            channel,
             count,
             first_s,
-        } => Faults::Spikes {
-            channel,
-            count,
-            first: time(first_s, 2),
+        } => match (count, time(first_s, 2)) {
+            (1, first) => Faults::OneSpike { channel, first },
+            (count, first) => Faults::Spikes {
+                channel,
+                count,
+                first,
+            },
         },
         ChannelFault::Clipped {
             channel,

@@ -24,8 +24,7 @@ pub enum Note {
         /// Number used.
         time_blocks: usize,
     },
-    /// Peaks that are too narrow for a structure or too steady for random forces. They affect neither block rows nor
-    /// decimation, and are not modes.
+    /// Peaks that are too narrow for a structure or too steady for random forces. They affect neither block rows nor decimation, and are not modes.
     Tones {
         /// The peaks.
         tones: Vec<Tone>,
@@ -56,8 +55,7 @@ pub enum Note {
         /// Whether these modes were removed.
         removed: bool,
     },
-    /// Modes left out because they exceed their surroundings only in some periods, for example while somebody walks, and
-    /// not in quiet times.
+    /// Modes left out because they exceed their surroundings only in some periods, for example while somebody walks, and not in quiet times.
     InSpells {
         /// The modes.
         modes: Vec<InSpells>,

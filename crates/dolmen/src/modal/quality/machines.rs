@@ -3,7 +3,8 @@
 use super::averaged::AveragedWidths;
 use super::harmonics::{GAUSSIAN, Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
-use super::lines::{FineLines, LineTest, MODE_WIDE, seeing_most};
+use super::lines::{FineLines, LineTest, seeing_most};
+use super::one_mode::MODE_WIDE;
 use super::remarks::{USUAL_LEAST, explained};
 use super::spells::{in_spells, note_spells};
 use super::wander::{Wander, wander};
@@ -148,15 +149,21 @@ pub(crate) fn note_tones_on_modes(
         return;
     }
     let mut lines = FineLines::new(record);
+    let mut independent = FineLines::independent(record);
     let line_hz = 1.0 / record.duration_s();
     let far_hz = 0.5 * line_hz;
     let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &modes.modes));
     let (mut tones, mut machines): (Vec<ToneOnMode>, Vec<Tone>) = (Vec::new(), Vec::new());
-    for mode in modes.modes.iter().chain(unexplained) {
-        let Some(line) = lines.test_on_mode(mode).filter(LineTest::is_sine) else {
+    let each = modes.modes.iter().map(|mode| (mode, false));
+    for (mode, is_peak) in each.chain(unexplained.map(|peak| (peak, true))) {
+        let by_phase = independent.sine_on(mode, to_nearest_hz(mode, &modes.modes), is_peak);
+        let by_power = || lines.test(mode).filter(LineTest::is_sine);
+        let Some(line) = by_phase.or_else(by_power) else {
             continue;
         };
-        let within_hz = far_hz + 1.5 * mode.damping_ratio.unwrap_or(line.damping_ratio) * mode.frequency_hz;
+        // a sine can take the width of its mode
+        let damping_ratio = mode.damping_ratio.unwrap_or(0.0).max(line.damping_ratio);
+        let within_hz = far_hz + 1.5 * damping_ratio * mode.frequency_hz;
         let is_here = (line.frequency_hz - mode.frequency_hz).abs() <= within_hz;
         if is_here && line.mode_remains && line.strength <= STRENGTH_MOST {
             tones.push(ToneOnMode {
@@ -187,6 +194,12 @@ pub(crate) fn note_tones_on_modes(
         }
         notes.push(Note::TonesOnModes { tones });
     }
+}
+
+/// Distance to the nearest other mode, Hz; infinite if there is none.
+fn to_nearest_hz(mode: &Mode, modes: &[Mode]) -> f64 {
+    let apart = modes.iter().map(|of| (of.frequency_hz - mode.frequency_hz).abs());
+    apart.filter(|apart| *apart > 0.0).fold(f64::INFINITY, f64::min)
 }
 
 fn is_steady(mode: &Mode) -> bool {
