@@ -25,6 +25,8 @@ const CHANGES_LEAST: usize = 4;
 const CHANGES_OF_RANDOM: f64 = 0.5;
 const SHARE_LEAST: f64 = 0.03;
 const BESIDE_MOST: f64 = 0.3;
+/// Largest share of equal successive samples in the strong state.
+const STANDING_MOST: f64 = 0.5;
 /// Order of the autoregression that takes the modes and machines of a channel away, so that only its broad-band motion remains.
 const ORDER: usize = 24;
 
@@ -88,12 +90,14 @@ pub(super) fn loose(
             states.difference(&relative(others[i], &rest)).abs() <= BESIDE_MOST * states.apart
         })
     };
+    // the steps of a coarse digitiser come and go with slow motion
+    let is_fine = || states.share_standing(record.samples(own), motion.block) <= STANDING_MOST;
     // a machine beside a sensor leaves its broad-band motion as it is
     let is_broad = || {
         let rest = without_modes(record.samples(own));
         levels(&rest, motion.block).is_some_and(|levels| states.difference(&levels).abs() >= RATIO_LEAST.ln())
     };
-    (states.recur() && is_alone() && is_broad()).then(|| states.as_sensor(motion.block))
+    (states.recur() && is_fine() && is_alone() && is_broad()).then(|| states.as_sensor(motion.block))
 }
 
 /// Strength in each block relative to the median of other channels.
@@ -173,6 +177,20 @@ impl TwoStates {
             of().sum::<f64>() / of().count() as f64
         };
         mean(true) - mean(false)
+    }
+
+    /// Share of the steps in the strong state that are zero.
+    fn share_standing(&self, x: &[f64], block: usize) -> f64 {
+        let (mut all, mut standing) = (0, 0);
+        for (x, _) in x
+            .chunks_exact(block)
+            .zip(&self.is_strong)
+            .filter(|(_, strong)| **strong)
+        {
+            all += x.len() - 1;
+            standing += x.windows(2).filter(|pair| pair[0] == pair[1]).count();
+        }
+        standing as f64 / all.max(1) as f64
     }
 
     fn as_sensor(&self, block: usize) -> LooseSensor {
@@ -264,16 +282,21 @@ mod tests {
         assert!((4.0..12.0).contains(factor), "{factor}");
     }
 
-    /// A machine beside the sensor that runs at the same times, one that runs once, and all channels at once.
+    /// A machine beside the sensor that runs at the same times, one that runs once, and a coarse digitiser under motion that comes and goes.
     #[test]
     fn holds_other_changes_of_strength_are_none_of_it() {
         let machine = |at_s: f64, x: f64, _| match is_bad(at_s) {
             true => x + 3.0 * (2.0 * PI * 24.3 * at_s).sin(),
             false => x,
         };
+        let coarse = |at_s: f64, _, noise: f64| {
+            let slow = if is_bad(at_s) { 1.0 } else { 0.1 };
+            (slow * (2.0 * PI * 0.2 * at_s).sin() + 0.05 * noise).round()
+        };
         let once = |at_s: f64, x: f64, noise: f64| if at_s > 140.0 { x + 2.0 * noise } else { x };
         assert_eq!(faults(|_, x, _| x), []);
         assert_eq!(faults(machine), []);
         assert_eq!(faults(once), []);
+        assert_eq!(faults(coarse), []);
     }
 }
