@@ -291,7 +291,7 @@ mod tests {
         };
         let coarse = |at_s: f64, _, noise: f64| {
             let slow = if is_bad(at_s) { 1.0 } else { 0.1 };
-            (slow * (2.0 * PI * 0.2 * at_s).sin() + 0.05 * noise).round()
+            (slow * (2.0 * PI * at_s).sin() + 0.05 * noise).round()
         };
         let once = |at_s: f64, x: f64, noise: f64| if at_s > 140.0 { x + 2.0 * noise } else { x };
         assert_eq!(faults(|_, x, _| x), []);
