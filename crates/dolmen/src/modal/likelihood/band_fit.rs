@@ -507,6 +507,7 @@ mod tests {
         let off = found.oscillators[0].damping_ratio / 0.01 - 1.0;
         assert!(off.abs() < 0.1 && found.noise[(0, 0)].re > 0.0, "{found:?}");
     }
+
     #[test]
     fn exact_independent_forces_stay_so() {
         let truth = Band {

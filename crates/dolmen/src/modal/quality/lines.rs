@@ -7,7 +7,7 @@
 //! | m_i | `model` | expected P_i: a mode over white noise, S (1/(1 + ((i − c)/w)²) + β) | |
 //! | Λ | `gain` | increase of Whittle's log-likelihood by a sine at one line | – |
 
-use super::one_mode::{MODE_OVER_NOISE, MODE_WIDE, OneMode, fitted, lorentz, sum_of_logarithms};
+use super::one_mode::{MODE_OVER_NOISE, MODE_WIDE, OneMode, fitted, floored, lorentz, sum_of_logarithms};
 use super::sines::{sine_on_mode, taper};
 use crate::modal::Mode;
 use crate::modal::subspace::HALF_WIDTH_LEAST;
@@ -254,11 +254,7 @@ pub(super) fn seeing_most(mode: &Mode) -> Vec<usize> {
 
 fn judged(power: &[f64]) -> Option<Judged> {
     let n = power.len();
-    let floor = power.iter().sum::<f64>() / n as f64 * 1e-12;
-    if floor <= 0.0 {
-        return None;
-    }
-    let power: Vec<f64> = power.iter().map(|p| p.max(floor)).collect();
+    let power = floored(power.to_vec())?;
     let whole = fitted(&power, &[], HALF_WIDTH_LEAST);
     // the largest excess over one mode, away from the edges
     let stands_out = |i: &usize| power[*i] / whole.model[*i];

@@ -20,6 +20,12 @@ pub(super) struct OneMode {
     pub(super) cost: f64,
 }
 
+/// The powers, none of them zero; `None` if all are.
+pub(super) fn floored(power: Vec<f64>) -> Option<Vec<f64>> {
+    let floor = power.iter().sum::<f64>() / power.len() as f64 * 1e-12;
+    (floor > 0.0).then(|| power.into_iter().map(|p| p.max(floor)).collect())
+}
+
 /// Power of a mode `line`s from its centre, relative to its peak.
 pub(super) fn lorentz(line: usize, centre: f64, half_width: f64) -> f64 {
     1.0 / (1.0 + ((line as f64 - centre) / half_width).powi(2))

@@ -8,7 +8,7 @@
 //! | A | `amplitude` | complex amplitude of the sine |
 //! | Λ | `gain` | increase of the log-likelihood by a sine |
 
-use super::one_mode::{MODE_OVER_NOISE, MODE_WIDE, OneMode, fitted, lorentz};
+use super::one_mode::{MODE_OVER_NOISE, MODE_WIDE, OneMode, fitted, floored, lorentz};
 use dolmen_linalg::Complex64;
 use std::f64::consts::PI;
 
@@ -74,12 +74,6 @@ pub(super) fn sine_on_mode(lines: &[Complex64]) -> Option<Sine> {
         half_width: rest.half_width,
         gain: without - found.cost,
     })
-}
-
-/// No power is zero, if any is not.
-fn floored(power: Vec<f64>) -> Option<Vec<f64>> {
-    let floor = power.iter().sum::<f64>() / power.len() as f64 * 1e-12;
-    (floor > 0.0).then(|| power.into_iter().map(|p| p.max(floor)).collect())
 }
 
 struct WithSine {
