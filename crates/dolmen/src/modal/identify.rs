@@ -118,14 +118,16 @@ fn of_ambient(
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::SplitsOff));
         analysis.free_decays = Some(found.decays);
     }
-    if is_ambient {
-        leave_out_not_random(record, options, &mut analysis.modes, (&mut refused, &mut notes))?;
-    }
     if options.method != Method::Era {
         let before = analysis.modes.modes.clone();
         let whole = clipped_record(record, options, &notes);
         leave_out_clipped(&[whole], &mut analysis.modes, &mut notes)?;
         refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::Clipping));
+    }
+    if is_ambient {
+        leave_out_not_random(record, options, &mut analysis.modes, (&mut refused, &mut notes))?;
+    }
+    if options.method != Method::Era {
         leave_out_other_clocks(record, &mut analysis.modes, &mut notes);
         if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
             return Ok(alone);
@@ -145,7 +147,11 @@ fn of_ambient(
     let mut of_channels = Vec::new();
     doubt_channels(&analysis.modes, &mut of_channels);
     put_in(record, options, insisted, &mut analysis.modes, &mut notes)?;
-    note_tones_on_modes(record, (&mut analysis.modes, &analysis.fdd_modes), &mut notes);
+    note_tones_on_modes(
+        (record, options),
+        (&mut analysis.modes, &analysis.fdd_modes),
+        &mut notes,
+    );
     let diagram = Diagram {
         stabilization: &analysis.stabilization,
         clusters: &analysis.clusters,

@@ -3,8 +3,7 @@
 use super::averaged::AveragedWidths;
 use super::harmonics::{GAUSSIAN, Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
-use super::lines::{FineLines, LineTest, seeing_most};
-use super::one_mode::MODE_WIDE;
+use super::lines::{FineLines, LEAVES_MOST, LineTest, seeing_most};
 use super::remarks::{USUAL_LEAST, explained};
 use super::spells::{in_spells, note_spells};
 use super::wander::{Wander, wander};
@@ -138,10 +137,10 @@ struct RemovedPeak {
     damping_ratio_least: f64,
 }
 
-/// Names the sines at modes and at unexplained peaks of the spectrum where a mode remains without the sine. A mode of which nothing remains, and whose
-/// amplitude is as steady as that of a sine or whose width the lines would show, is a machine and left out.
+/// Names the sines at modes and at unexplained peaks of the spectrum where a mode remains without the sine. A mode of which nothing remains, or whose
+/// amplitude is as steady as that of a sine, is a machine and left out.
 pub(crate) fn note_tones_on_modes(
-    record: &Record,
+    (record, options): (&Record, &Identify),
     (modes, peaks): (&mut Modes, &Modes),
     notes: &mut Vec<Note>,
 ) {
@@ -154,36 +153,48 @@ pub(crate) fn note_tones_on_modes(
     let far_hz = 0.5 * line_hz;
     let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &modes.modes));
     let (mut tones, mut machines): (Vec<ToneOnMode>, Vec<Tone>) = (Vec::new(), Vec::new());
+    let mut left_out_hz = Vec::new();
     let each = modes.modes.iter().map(|mode| (mode, false));
     for (mode, is_peak) in each.chain(unexplained.map(|peak| (peak, true))) {
-        let by_phase = independent.sine_on(mode, to_nearest_hz(mode, &modes.modes), is_peak);
+        let nearest_hz = to_nearest_hz(mode, &modes.modes);
+        let by_phase = independent.sine_on(mode, nearest_hz, is_peak);
         let by_power = || lines.test(mode).filter(LineTest::is_sine);
-        let Some(line) = by_phase.or_else(by_power) else {
+        let mut in_half = || independent.sine_in_half(mode, nearest_hz).filter(|_| !is_peak);
+        let Some(line) = by_phase.or_else(by_power).or_else(&mut in_half) else {
             continue;
         };
         // a sine can take the width of its mode
         let damping_ratio = mode.damping_ratio.unwrap_or(0.0).max(line.damping_ratio);
         let within_hz = far_hz + 1.5 * damping_ratio * mode.frequency_hz;
         let is_here = (line.frequency_hz - mode.frequency_hz).abs() <= within_hz;
-        if is_here && line.mode_remains && line.strength <= STRENGTH_MOST {
+        let mut left = None;
+        if !line.mode_remains && shows_light(options, mode, record) {
+            left = independent.left_by(&line, mode, is_peak);
+        }
+        let stands_alone = left.is_some_and(|left| left < LEAVES_MOST);
+        let is_on_it = line.mode_remains && line.strength <= STRENGTH_MOST
+            || left.is_some() && !is_peak && !is_steady(mode);
+        if is_here && is_on_it && !stands_alone {
             tones.push(ToneOnMode {
                 frequency_hz: line.frequency_hz,
                 mode_hz: mode.frequency_hz,
                 strength: line.strength,
             });
-        } else if is_here && mode.is_found() && (is_steady(mode) || is_alone(mode, &line, line_hz)) {
+        } else if mode.is_found() && (stands_alone || is_here && is_steady(mode)) {
+            if !is_peak {
+                left_out_hz.push(mode.frequency_hz);
+            }
             machines.push(Tone {
-                frequency_hz: mode.frequency_hz,
+                frequency_hz: line.frequency_hz,
                 width_hz: 2.0 * mode.damping_ratio.unwrap_or(0.0) * mode.frequency_hz,
                 kurtosis: mode.kurtosis,
             });
         }
     }
-    if !machines.is_empty() {
-        let is_one = |mode: &Mode| machines.iter().any(|of| of.frequency_hz == mode.frequency_hz);
-        modes.modes.retain(|mode| !is_one(mode));
-        notes.push(Note::Tones { tones: machines });
-    }
+    modes
+        .modes
+        .retain(|mode| !left_out_hz.contains(&mode.frequency_hz));
+    note_machines(machines, 2.0 * line_hz, notes);
     if !tones.is_empty() {
         tones.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
         for mode in &mut modes.modes {
@@ -193,6 +204,31 @@ pub(crate) fn note_tones_on_modes(
             }
         }
         notes.push(Note::TonesOnModes { tones });
+    }
+}
+
+/// Adds a note with the machines that no earlier note names. They are no narrow peaks of an unknown cause.
+fn note_machines(mut machines: Vec<Tone>, apart_hz: f64, notes: &mut Vec<Note>) {
+    for note in &mut *notes {
+        if let Note::Narrow { peaks, .. } = note {
+            peaks.retain(|of| {
+                let is_one = |own: &Tone| (own.frequency_hz - of.frequency_hz).abs() <= apart_hz;
+                !machines.iter().any(is_one)
+            });
+        }
+    }
+    notes.retain(|note| !matches!(note, Note::Narrow { peaks, .. } if peaks.is_empty()));
+    let named = notes.iter().flat_map(|note| match note {
+        Note::Tones { tones } => &tones[..],
+        _ => &[],
+    });
+    let named_hz: Vec<f64> = named.map(|tone| tone.frequency_hz).collect();
+    machines.retain(|own| {
+        let is_own = |hz: &f64| (hz - own.frequency_hz).abs() <= apart_hz;
+        !named_hz.iter().any(is_own)
+    });
+    if !machines.is_empty() {
+        notes.push(Note::Tones { tones: machines });
     }
 }
 
@@ -206,11 +242,10 @@ fn is_steady(mode: &Mode) -> bool {
     mode.kurtosis.is_some_and(|of| of.kurtosis < STEADY_MOST)
 }
 
-/// Whether nothing remains of a mode without the sine within its bandwidth, though the lines would show a mode of its width.
-fn is_alone(mode: &Mode, line: &LineTest, line_hz: f64) -> bool {
-    let half_width_hz = mode.damping_ratio.unwrap_or(0.0) * mode.frequency_hz;
-    let is_on_it = (line.frequency_hz - mode.frequency_hz).abs() <= half_width_hz;
-    !line.mode_remains && is_on_it && half_width_hz >= MODE_WIDE * line_hz
+/// Whether a mode with the least damping ratio would be at least a line wide: a narrower one looks like a sine.
+fn shows_light(options: &Identify, mode: &Mode, record: &Record) -> bool {
+    let least = options.criteria.damping_ratio_least.unwrap_or(USUAL_LEAST);
+    least.min(USUAL_LEAST) * mode.frequency_hz * record.duration_s() >= 1.0
 }
 
 /// Whether a sine makes the damping ratio of its mode too low by more than the 95 % interval: the ratio is about that of a motion of which the share
@@ -418,7 +453,12 @@ mod tests {
                 history: Vec::new(),
             };
             let mut modes = found(vec![mode]);
-            note_tones_on_modes(record, (&mut modes, &found(Vec::new())), &mut Vec::new());
+            let options = Identify::default();
+            note_tones_on_modes(
+                (record, &options),
+                (&mut modes, &found(Vec::new())),
+                &mut Vec::new(),
+            );
             modes.modes.len()
         };
         // 7 lines wide, if it were a mode; the kurtosis is not known

@@ -8,6 +8,7 @@ mod crest_phases;
 mod flanks;
 mod from_clipping;
 mod gusts;
+mod half_lines;
 mod harmonics;
 mod hidden_pairs;
 mod in_spells;

@@ -21,6 +21,9 @@ const ALIKE: f64 = 0.5;
 /// Number of lines that are tried as the place of the sine, and lines on each side that hold most of it.
 const TRIED: usize = 3;
 const LOBE: usize = 2;
+/// Distances of the lines beside a mode from it, half widths.
+const BESIDE_LEAST: f64 = 4.0;
+pub(super) const BESIDE_MOST: f64 = 12.0;
 /// Steps of the place of the sine, lines.
 const STEP: f64 = 0.1;
 
@@ -40,9 +43,39 @@ pub(super) struct Sine {
     pub(super) half_width: f64,
     /// Λ.
     pub(super) gain: f64,
+    /// Whether a mode remains near the sine.
+    pub(super) mode_remains: bool,
+    /// Powers of the lines without the sine.
+    left: Vec<f64>,
 }
 
-/// The sine that the lines show best on a mode, if a mode remains.
+impl Sine {
+    /// Mean power of the lines within the half width of a mode, over the geometric mean of the medians of the lines beside them, without the sine.
+    pub(super) fn leaves(&self, centre: f64, half_width: f64) -> f64 {
+        let (mut own, mut beside) = (Vec::new(), [Vec::new(), Vec::new()]);
+        let reach = half_width.max(1.0);
+        for (i, p) in self.left.iter().enumerate() {
+            let off = (i as f64 - centre) / reach;
+            match off.abs() {
+                ..=1.0 => own.push(*p),
+                BESIDE_LEAST..=BESIDE_MOST => beside[usize::from(off > 0.0)].push(*p),
+                _ => {}
+            }
+        }
+        let [below, above] = beside.map(|mut side| {
+            side.sort_by(f64::total_cmp);
+            side.get(side.len() / 2).copied()
+        });
+        // a median is ln 2 of the mean
+        let around = below
+            .zip(above)
+            .map(|(below, above)| (below * above).sqrt() / 2f64.ln());
+        let own = own.iter().sum::<f64>() / own.len().max(1) as f64;
+        around.map_or(f64::INFINITY, |around| own / around.max(f64::MIN_POSITIVE))
+    }
+}
+
+/// The sine that the lines show best, and what is left without it.
 ///
 /// ```text
 /// Λ = min over one mode, or two, of Σ (ln m_i + |z_i|²/m_i)  −  min over one mode and a sine of Σ (ln m_i + |z_i − A s_i(ν)|²/m_i)
@@ -50,7 +83,7 @@ pub(super) struct Sine {
 ///
 /// # Source
 /// Whittle (1953) Ark. Mat. 2:423-434: under random forces the z_i are independent complex normal variables with the variances m_i.
-pub(super) fn sine_on_mode(lines: &[Complex64]) -> Option<Sine> {
+pub(super) fn best_sine(lines: &[Complex64]) -> Option<Sine> {
     let n = lines.len();
     let power = floored(lines.iter().map(|z| z.norm_sqr()).collect())?;
     let alone = fitted(&power, &[], NARROWEST);
@@ -68,11 +101,13 @@ pub(super) fn sine_on_mode(lines: &[Complex64]) -> Option<Sine> {
     let is_mode = rest.over_noise >= MODE_OVER_NOISE
         && rest.half_width >= MODE_WIDE
         && (rest.centre - found.line).abs() <= 1.5 * rest.half_width;
-    is_mode.then(|| Sine {
+    Some(Sine {
         line: found.line,
         strength: found.amplitude.norm_sqr() / (PI * rest.half_width * rest.top).max(f64::MIN_POSITIVE),
         half_width: rest.half_width,
         gain: without - found.cost,
+        mode_remains: is_mode,
+        left: found.left,
     })
 }
 
@@ -80,6 +115,7 @@ struct WithSine {
     line: f64,
     amplitude: Complex64,
     rest: OneMode,
+    left: Vec<f64>,
     cost: f64,
 }
 
@@ -95,13 +131,15 @@ fn with_sine(lines: &[Complex64], power: &[f64], place: usize) -> Option<WithSin
             let rest = z - amplitude * of_sine(i as f64 - line);
             rest.norm_sqr()
         });
-        rest = fitted(&floored(left.collect())?, &[], NARROWEST);
-        found = Some((line, amplitude));
+        let left = floored(left.collect())?;
+        rest = fitted(&left, &[], NARROWEST);
+        found = Some((line, amplitude, left));
     }
-    let (line, amplitude) = found?;
+    let (line, amplitude, left) = found?;
     Some(WithSine {
         line,
         amplitude,
+        left,
         cost: rest.cost,
         rest,
     })
@@ -187,17 +225,34 @@ mod tests {
         }
     }
 
-    /// Lines of a mode of 9 lines, 20 dB above noise, and a sine of `power` times its peak at line 67.3 of 129.
-    fn found(power: f64, seed: u64) -> Option<Sine> {
+    /// Lines of a mode of this half width, 20 dB above noise, and a sine of `power` times its peak at line 67.3 of 129.
+    fn lines(half_width: f64, power: f64, seed: u64) -> Vec<Complex64> {
         let mut random = Random::new(seed, 0);
-        let lines: Vec<Complex64> = (0..129)
-            .map(|i| {
-                let size = (0.5 * (lorentz(i, 64.0, 9.0) + 0.01)).sqrt();
-                let chance = Complex64::new(size * random.normal(), size * random.normal());
-                chance + power.sqrt() * of_sine(i as f64 - 67.3)
-            })
-            .collect();
-        sine_on_mode(&lines)
+        let each = (0..129).map(|i| {
+            let mode = if half_width > 0.0 {
+                lorentz(i, 64.0, half_width)
+            } else {
+                0.0
+            };
+            let size = (0.5 * (mode + 0.01)).sqrt();
+            let chance = Complex64::new(size * random.normal(), size * random.normal());
+            chance + power.sqrt() * of_sine(i as f64 - 67.3)
+        });
+        each.collect()
+    }
+
+    fn found(power: f64, seed: u64) -> Option<Sine> {
+        best_sine(&lines(9.0, power, seed)).filter(|sine| sine.mode_remains)
+    }
+
+    #[test]
+    fn holds_nothing_is_left_of_a_sine_and_a_mode_beside_it_is() {
+        for seed in 0..10 {
+            let alone = best_sine(&lines(0.0, 66.0, seed)).unwrap();
+            assert!(alone.leaves(65.5, 2.0) < 2.5, "{}", alone.leaves(65.5, 2.0));
+            let beside = best_sine(&lines(2.0, 66.0, seed)).unwrap();
+            assert!(beside.leaves(64.0, 2.0) > 5.0, "{}", beside.leaves(64.0, 2.0));
+        }
     }
 
     #[test]
