@@ -28,6 +28,8 @@ const STEPS_A_PERIOD: f64 = 32.0;
 const EXPLAINS: f64 = 0.8;
 const AS_ONE: f64 = 0.9;
 const LEAVES: f64 = 1.0 / 3.0;
+/// Level from which all bands but one agree without a delay: that one is then no clock's, but of steps, or of modes that lie close together.
+const OTHERS_AS_ONE: f64 = 0.96;
 /// Smallest significant delay, and largest difference between the halves of the record, in standard deviations. Our choice.
 const DEVIATIONS: f64 = 5.0;
 /// Another delay explains the phases too if its level is less than this below the best. Our choice.
@@ -326,8 +328,19 @@ fn phases_of(turns: &Turns) -> Phases {
         level >= EXPLAINS
             && 1.0 - level <= LEAVES * (1.0 - at_zero)
             && of.delay_s.abs() > DEVIATIONS * of.sd_s
+            && !(0..bands.len()).any(|band| level_without(&bands, band) > OTHERS_AS_ONE)
     };
     best.filter(explains).map_or(unexplained, Phases::Late)
+}
+
+/// Level without a delay of all bands but one.
+fn level_without(bands: &[Turns], left_out: usize) -> f64 {
+    let others = bands.iter().enumerate().filter(|(band, _)| *band != left_out);
+    let each = others.map(|(_, turns)| [turns.level(0.0) * turns.total(), turns.total()]);
+    let [level, total] = each.fold([0.0, 0.0], |[level, total], [own, weight]| {
+        [level + own, total + weight]
+    });
+    level / total
 }
 
 /// The delay with the highest level, and the next that is nearly as high.
@@ -661,6 +674,27 @@ mod tests {
             [-0.01, 0.0, 0.01].map(|apart_hz| (degrees.to_radians(), hz + apart_hz))
         });
         phases_of(&Turns::made(lines))
+    }
+
+    /// Steps at 4.28 Hz whose phase is free; the modes have none, nor a long delay that turns each of them by nearly whole half turns.
+    #[test]
+    fn holds_the_phase_of_one_band_is_no_delay_of_a_clock() {
+        let modes_hz = [7.933, 21.450, 26.233, 35.750, 43.733];
+        let with = |steps_degrees: f64| {
+            let mut all = vec![(steps_degrees, 4.267), (steps_degrees, 4.300)];
+            all.extend(modes_hz.map(|hz| (0.0, hz)));
+            all
+        };
+        let lines = with(60.0)
+            .into_iter()
+            .map(|(degrees, hz)| (f64::to_radians(degrees), hz));
+        let turns = Turns::made(lines);
+        let found = delay(&turns, &turns.bands()).unwrap();
+        let [before, after] = [0.0, found.delay_s].map(|delay_s| turns.level(delay_s));
+        assert!(before < AS_ONE && after > EXPLAINS && 1.0 - after < LEAVES * (1.0 - before));
+        for degrees in [45.0, 60.0, 75.0] {
+            assert_eq!(phases_at(&with(degrees)), Phases::AsOne, "{degrees}");
+        }
     }
 
     #[test]

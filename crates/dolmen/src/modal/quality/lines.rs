@@ -195,6 +195,9 @@ impl<'a> FineLines<'a> {
         let line_hz = self.record.sampling_rate_hz() / self.record.length() as f64;
         let at = mode.frequency_hz / line_hz;
         let half_width = mode.damping_ratio.unwrap_or(0.0) * at;
+        if half_width < MODE_WIDE {
+            return None; // in half of the lines it looks like a sine
+        }
         let room = ((0.5 * nearest_hz / line_hz) as usize).min(REACH[1]);
         let wished = ((2.0 * SKIRTS * half_width) as usize).max(2 * REACH[0]).min(room);
         let middle = at.round() as usize;

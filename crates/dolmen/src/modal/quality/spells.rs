@@ -429,9 +429,9 @@ mod tests {
     /// Above the mode at 3.1 Hz every line exceeds the upper side.
     #[test]
     fn holds_a_line_on_the_flank_of_a_mode_is_in_spells() {
-        let line = mode((3.5, 0.01, [1.0, 0.6]));
+        let line = mode((3.3, 0.01, [1.0, 0.6]));
         let of = |record: &Record| StandsOut::of(record, &line, remembers_s(record, &line)).unwrap();
-        let walks = of(&record(&[], (3.5, 200.0..230.0)));
+        let walks = of(&record(&[], (3.3, 200.0..230.0)));
         assert!(walks.over_lower.quiet > OVER_LOWER);
         let found = walks.in_spells().unwrap();
         assert!(
@@ -440,7 +440,7 @@ mod tests {
             found.whole,
             found.quiet
         );
-        let still = of(&record(&[], (3.5, 0.0..0.0)));
+        let still = of(&record(&[], (3.3, 0.0..0.0)));
         assert!(still.over_lower.quiet > OVER_LOWER && still.in_spells().is_none());
     }
 
