@@ -40,8 +40,8 @@ messages! {
             ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다.« 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮추거나 accept = [{first}]처럼 진동수를 지정한다.»",
         },
         TonesOnModes { tones: Vec<Sentence> } => {
-            en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low (none is given where by more than its interval), and its shape is the machine's too: measure while the machine rests.",
-            ko: "모드의 진동수에서 기계가 가동한다({tones}). 기록 전체에서 위상이 일정한 정현파가 있어 그 모드의 감쇠비는 실제보다 작고(그 차이가 신뢰구간보다 크면 제시하지 않는다) 모드형상에는 기계의 영향이 섞인다. 기계가 멈춘 동안 다시 계측한다.",
+            en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record or half of it; the damping ratio of such a mode comes out too low (none is given where by more than its interval), and its shape is the machine's too: measure while the machine rests.",
+            ko: "모드의 진동수에서 기계가 가동한다({tones}). 기록 전체 또는 절반에서 위상이 일정한 정현파가 있어 그 모드의 감쇠비는 실제보다 작고(그 차이가 신뢰구간보다 크면 제시하지 않는다) 모드형상에는 기계의 영향이 섞인다. 기계가 멈춘 동안 다시 계측한다.",
         },
         HarmonicsRemoved { steady: Vec<Sentence> } => {
             en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, left out.",

@@ -260,7 +260,7 @@ impl std::fmt::Display for Note {
                 let all: Vec<String> = tones.iter().map(ToString::to_string).collect();
                 write!(
                     f,
-                    "machines run on modes, at {}: their sines keep one phase for the whole record; the damping ratio of such a mode comes \
+                    "machines run on modes, at {}: their sines keep one phase for the whole record or half of it; the damping ratio of such a mode comes \
                      out too low (none is given where by more than its interval), and its shape is the machine's too: measure while the machine rests",
                     all.join(", ")
                 )
